@@ -1,0 +1,94 @@
+/* SPDX-FileCopyrightText: The libhgrid developers
+ * SPDX-License-Identifier: BSD-3-Clause */
+
+/* The functions of a grid: a set of particles and the search for pairs among them.
+ *
+ * Ownership: the library copies what it is given and keeps no pointer of the caller. What queries return belongs to the
+ * grid and is borrowed: valid until the next call on that grid that changes it or asks for the same kind of result.
+ * Threads: different grids are independent. On one grid, queries from several threads are safe once hg_build has
+ * returned; hg_insert, hg_move, hg_remove, hg_clear, hg_build and hg_destroy need the grid for themselves.
+ * Errors: a call that fails has changed nothing. Any call on a NULL grid gives HG_ERR_NULL; any call on a grid from
+ * inside one of its own visitors gives HG_ERR_STATE; any call that needs memory may give HG_ERR_MEMORY.
+ * N is the number of particles, P that of pairs. Lengths are in the caller's unit. */
+#ifndef HGRID_GRID_H
+#define HGRID_GRID_H
+
+#include <hgrid/types.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A grid. Created by hg_create, freed by hg_destroy. */
+typedef struct hg_grid hg_grid;
+
+/* Creates an empty grid as `def` says; NULL means the defaults. On failure *grid is NULL.
+ * Errors: HG_ERR_NULL (grid); HG_ERR_ARGUMENT: a member of `def` is out of its range (the text names it), `def` was not
+ * initialised; HG_ERR_LIMIT: more than HG_MAX_LEVELS levels; HG_ERR_MEMORY. */
+HG_API hg_status hg_create(const hg_grid_def *def, hg_grid **grid);
+
+/* Frees the grid and all it lent. NULL is fine. Inside one of the grid's own visitors the call is ignored and leaves a
+ * text in hg_last_error. */
+HG_API void hg_destroy(hg_grid *grid);
+
+/* Adds `count` particles. The first ever gets the id index_base, each next one the following number.
+ * centers: [count][dimension]; radii: [count], >= 0. Both may be NULL if count is 0.
+ * Errors: HG_ERR_NULL; HG_ERR_ARGUMENT: NaN, infinity or a negative radius; a periodic axis shorter than twice the
+ * largest reach; a diameter beyond the last cell of HG_LEVELS_USER; HG_ERR_LIMIT: ids would pass 2^31 - 1, or a
+ * particle lies more than 2^30 box lengths outside a periodic axis; HG_ERR_MEMORY. All or nothing.
+ * Complexity: O(count) amortised. */
+HG_API hg_status hg_insert(hg_grid *grid, size_t count, const double *centers, const double *radii);
+
+/* Replaces the centres, and the radii unless NULL, of all live particles; row k belongs to the k-th in ascending id.
+ * Errors: as hg_insert; HG_ERR_ARGUMENT if count is not the number of live particles. All or nothing.
+ * Complexity: O(N); allocates nothing. */
+HG_API hg_status hg_move(hg_grid *grid, size_t count, const double *centers, const double *radii);
+
+/* Removes particles. Their ids are not given out again before hg_clear.
+ * Errors: HG_ERR_NULL; HG_ERR_NOT_FOUND: an id is unknown, removed already or listed twice. All or nothing.
+ * Complexity: O(count log N), and O(N) once in the next build. */
+HG_API hg_status hg_remove(hg_grid *grid, size_t count, const int32_t *ids);
+
+/* Removes all particles; ids start anew at index_base. Memory is kept for what comes next. */
+HG_API hg_status hg_clear(hg_grid *grid);
+
+/* Makes the grid ready for queries: chooses the levels and sorts the particles into cells. Searches nothing.
+ * Queries call it when they must. Complexity: O(N) on evenly filled space, O(N log N) on sparse clusters. */
+HG_API hg_status hg_build(hg_grid *grid);
+
+/* All pairs, each once, a < b, in the order of def.pair_order. *pairs is NULL only if *count is 0.
+ * A second call without a change in between returns the same list.
+ * Complexity: O(N + P) for any sizes when the levels suit them. */
+HG_API hg_status hg_query_pairs(hg_grid *grid, const hg_pair **pairs, size_t *count);
+
+/* Hands all pairs to `visit` in batches. With HG_ORDER_GRID nothing is stored: memory stays bounded whatever P.
+ * A visitor that returns nonzero ends the visit; the call still returns HG_OK. The visitor runs on the calling thread. */
+HG_API hg_status hg_visit_pairs(hg_grid *grid, hg_pair_visitor *visit, void *context);
+
+/* Neighbour lists in compressed rows: the neighbours of the k-th live particle in ascending id are
+ * neighbors[offsets[k]] .. neighbors[offsets[k + 1] - 1], ascending ids. offsets has N + 1 entries and starts at 0.
+ * list: HG_HALF or HG_FULL. Errors: HG_ERR_NULL, HG_ERR_ARGUMENT (list). Complexity: as hg_query_pairs. */
+HG_API hg_status hg_query_neighbors(hg_grid *grid, int32_t list, const int64_t **offsets, const int32_t **neighbors);
+
+/* The particles that a sphere interacts with, by the grid's own rule (interaction, margin, accuracy, periodic axes);
+ * ids ascending. center: [dimension]; radius >= 0, finite. On periodic axes the nearest image counts. The result is
+ * borrowed until this thread's next hg_query_sphere on any grid.
+ * Errors: HG_ERR_NULL, HG_ERR_ARGUMENT. Complexity: O(cells met + particles met + hits log hits). */
+HG_API hg_status hg_query_sphere(hg_grid *grid, const double *center, double radius, const int32_t **ids,
+                                 size_t *count);
+
+/* The levels of the grid, finest first (the grid is built if it must be). Levels may be empty with HG_LEVELS_USER. */
+HG_API hg_status hg_query_levels(hg_grid *grid, const hg_level **levels, size_t *count);
+
+/* The predicted cost of each number of levels that the rule looked at; none for HG_LEVELS_USER (*count = 0). */
+HG_API hg_status hg_query_level_costs(hg_grid *grid, const hg_level_cost **costs, size_t *count);
+
+/* Copies the counters into the first struct_size bytes of *stats, struct_size = sizeof(hg_grid_stats) of the caller.
+ * Errors: HG_ERR_NULL; HG_ERR_ARGUMENT if struct_size is 0 or larger than this library's. */
+HG_API hg_status hg_get_stats(hg_grid *grid, hg_grid_stats *stats, size_t struct_size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
