@@ -35,7 +35,7 @@ HG_API void hg_destroy(hg_grid *grid);
  * centers: [count][dimension]; radii: [count], >= 0. Both may be NULL if count is 0.
  * Errors: HG_ERR_NULL; HG_ERR_ARGUMENT: NaN, infinity or a negative radius; a periodic axis shorter than twice the
  * largest reach; a diameter beyond the last cell of HG_LEVELS_USER; HG_ERR_LIMIT: ids would pass 2^31 - 1, or a
- * particle lies more than 2^30 box lengths outside a periodic axis; HG_ERR_MEMORY. All or nothing.
+ * particle lies more than 2^20 box lengths outside a periodic axis; HG_ERR_MEMORY. All or nothing.
  * Complexity: O(count) amortised. */
 HG_API hg_status hg_insert(hg_grid *grid, size_t count, const double *centers, const double *radii);
 

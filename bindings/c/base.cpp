@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The functions of include/hgrid/base.h: texts, version, allocator.
+#include "guard.hpp"
+
+#include <hgrid/base.h>
+
+#include <cstdio>
+#include <mutex>
+
+namespace hg {
+namespace {
+
+thread_local char last_error[256] = "";
+
+std::mutex allocator_mutex;
+hg_allocator allocator_of_new_grids = system_allocator();
+
+}  // namespace
+
+void remember_error(const char *text) noexcept { std::snprintf(last_error, sizeof last_error, "%s", text); }
+
+hg_allocator current_allocator() {
+  const std::lock_guard lock(allocator_mutex);
+  return allocator_of_new_grids;
+}
+
+}  // namespace hg
+
+const char *hg_status_string(hg_status status) {
+  switch (status) {
+    case HG_OK:
+      return "HG_OK";
+    case HG_ERR_NULL:
+      return "HG_ERR_NULL";
+    case HG_ERR_ARGUMENT:
+      return "HG_ERR_ARGUMENT";
+    case HG_ERR_MEMORY:
+      return "HG_ERR_MEMORY";
+    case HG_ERR_CAPACITY:
+      return "HG_ERR_CAPACITY";
+    case HG_ERR_STATE:
+      return "HG_ERR_STATE";
+    case HG_ERR_NOT_FOUND:
+      return "HG_ERR_NOT_FOUND";
+    case HG_ERR_LIMIT:
+      return "HG_ERR_LIMIT";
+    case HG_ERR_INTERNAL:
+      return "HG_ERR_INTERNAL";
+    default:
+      return "unknown status";
+  }
+}
+
+const char *hg_last_error(void) { return hg::last_error; }
+
+void hg_version(int *major, int *minor, int *patch) {
+  if (major != nullptr) *major = HG_VERSION_MAJOR;
+  if (minor != nullptr) *minor = HG_VERSION_MINOR;
+  if (patch != nullptr) *patch = HG_VERSION_PATCH;
+}
+
+hg_status hg_set_allocator(const hg_allocator *allocator) {
+  return hg::guarded([&] {
+    if (allocator != nullptr) {
+      if (allocator->allocate == nullptr) hg::fail(HG_ERR_NULL, "allocator->allocate is NULL");
+      if (allocator->reallocate == nullptr) hg::fail(HG_ERR_NULL, "allocator->reallocate is NULL");
+      if (allocator->release == nullptr) hg::fail(HG_ERR_NULL, "allocator->release is NULL");
+    }
+    const std::lock_guard lock(hg::allocator_mutex);
+    hg::allocator_of_new_grids = allocator != nullptr ? *allocator : hg::system_allocator();
+  });
+}

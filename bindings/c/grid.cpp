@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The functions of include/hgrid/grid.h and types.h.
+#include "guard.hpp"
+
+#include <cmath>
+#include <cstring>
+
+using hg::check_pointer;
+using hg::fail;
+using hg::Grid;
+using hg::guarded;
+using hg::on_grid;
+
+namespace hg {
+
+hg_allocator current_allocator();
+
+namespace {
+
+// The last result of hg_query_sphere on this thread.
+struct SphereResult {
+  Memory memory{system_allocator()};
+  Buffer<int32_t> ids{memory};
+};
+
+SphereResult &sphere_result() {
+  thread_local SphereResult result;
+  return result;
+}
+
+}  // namespace
+}  // namespace hg
+
+hg_status hg_grid_def_init(hg_grid_def *def, size_t struct_size) {
+  return guarded([&] {
+    check_pointer(def, "def");
+    hg::fill_defaults(def, struct_size);
+  });
+}
+
+hg_status hg_create(const hg_grid_def *def, hg_grid **grid) {
+  if (grid != nullptr) *grid = nullptr;
+  return guarded([&] {
+    check_pointer(grid, "grid");
+    hg_grid_def defaults;
+    if (def == nullptr) hg::fill_defaults(&defaults, sizeof defaults);
+    const hg::Definition definition = hg::check_definition(def != nullptr ? *def : defaults);
+    const hg_allocator allocator = hg::current_allocator();
+    void *memory = allocator.allocate(allocator.context, sizeof(hg_grid));
+    if (memory == nullptr) fail(HG_ERR_MEMORY, "no memory for %zu bytes", sizeof(hg_grid));
+    *grid = new (memory) hg_grid{Grid(definition, allocator)};
+  });
+}
+
+void hg_destroy(hg_grid *grid) {
+  if (grid == nullptr) return;
+  if (grid->grid.is_visited()) {
+    hg::remember_error("hg_destroy ignored: the grid is being visited");
+    return;
+  }
+  const hg_allocator allocator = grid->grid.allocator();
+  grid->~hg_grid();
+  allocator.release(allocator.context, grid, sizeof(hg_grid));
+}
+
+hg_status hg_insert(hg_grid *grid, size_t count, const double *centers, const double *radii) {
+  return on_grid(grid, [&](Grid &g) {
+    if (count > 0) check_pointer(centers, "centers");
+    if (count > 0) check_pointer(radii, "radii");
+    g.insert(count, centers, radii);
+  });
+}
+
+hg_status hg_move(hg_grid *grid, size_t count, const double *centers, const double *radii) {
+  return on_grid(grid, [&](Grid &g) {
+    if (count > 0) check_pointer(centers, "centers");
+    g.move(count, centers, radii);
+  });
+}
+
+hg_status hg_remove(hg_grid *grid, size_t count, const int32_t *ids) {
+  return on_grid(grid, [&](Grid &g) {
+    if (count > 0) check_pointer(ids, "ids");
+    g.remove(count, ids);
+  });
+}
+
+hg_status hg_clear(hg_grid *grid) {
+  return on_grid(grid, [](Grid &g) { g.clear(); });
+}
+
+hg_status hg_build(hg_grid *grid) {
+  return on_grid(grid, [](Grid &g) { g.build(); });
+}
+
+hg_status hg_query_pairs(hg_grid *grid, const hg_pair **pairs, size_t *count) {
+  return on_grid(grid, [&](Grid &g) {
+    check_pointer(pairs, "pairs");
+    check_pointer(count, "count");
+    g.query_pairs(pairs, count);
+  });
+}
+
+hg_status hg_visit_pairs(hg_grid *grid, hg_pair_visitor *visit, void *context) {
+  return on_grid(grid, [&](Grid &g) {
+    if (visit == nullptr) fail(HG_ERR_NULL, "visit is NULL");
+    g.visit_pairs(visit, context);
+  });
+}
+
+hg_status hg_query_neighbors(hg_grid *grid, int32_t list, const int64_t **offsets, const int32_t **neighbors) {
+  return on_grid(grid, [&](Grid &g) {
+    check_pointer(offsets, "offsets");
+    check_pointer(neighbors, "neighbors");
+    if (list != HG_HALF && list != HG_FULL) {
+      fail(HG_ERR_ARGUMENT, "list = %d is neither HG_HALF nor HG_FULL", static_cast<int>(list));
+    }
+    g.query_neighbors(list, offsets, neighbors);
+  });
+}
+
+hg_status hg_query_sphere(hg_grid *grid, const double *center, double radius, const int32_t **ids, size_t *count) {
+  return on_grid(grid, [&](Grid &g) {
+    check_pointer(center, "center");
+    check_pointer(ids, "ids");
+    check_pointer(count, "count");
+    hg::SphereResult &result = hg::sphere_result();
+    const size_t found = g.query_sphere({center, radius}, result.ids);
+    *ids = found == 0 ? nullptr : result.ids.data();
+    *count = found;
+  });
+}
+
+hg_status hg_query_levels(hg_grid *grid, const hg_level **levels, size_t *count) {
+  return on_grid(grid, [&](Grid &g) {
+    check_pointer(levels, "levels");
+    check_pointer(count, "count");
+    g.query_levels(levels, count);
+  });
+}
+
+hg_status hg_query_level_costs(hg_grid *grid, const hg_level_cost **costs, size_t *count) {
+  return on_grid(grid, [&](Grid &g) {
+    check_pointer(costs, "costs");
+    check_pointer(count, "count");
+    g.query_level_costs(costs, count);
+  });
+}
+
+hg_status hg_get_stats(hg_grid *grid, hg_grid_stats *stats, size_t struct_size) {
+  return on_grid(grid, [&](Grid &g) {
+    check_pointer(stats, "stats");
+    if (struct_size == 0 || struct_size > sizeof(hg_grid_stats)) {
+      fail(HG_ERR_ARGUMENT, "struct_size = %zu: this library knows up to %zu", struct_size, sizeof(hg_grid_stats));
+    }
+    const hg_grid_stats all = g.stats();
+    std::memcpy(stats, &all, struct_size);
+  });
+}

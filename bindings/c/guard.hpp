@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The boundary between C callers and the C++ core: no exception leaves, every failure has a status and a text.
+#pragma once
+
+#include "error.hpp"
+#include "grid.hpp"
+
+#include <hgrid/grid.h>
+
+#include <new>
+#include <utility>
+
+struct hg_grid {
+  hg::Grid grid;
+};
+
+namespace hg {
+
+// Stores the text that hg_last_error returns on this thread.
+void remember_error(const char *text) noexcept;
+
+// Runs `body`; turns what it throws into a status.
+template <class Body>
+hg_status guarded(Body &&body) noexcept {
+  try {
+    body();
+    return HG_OK;
+  } catch (const Error &error) {
+    remember_error(error.what());
+    return error.status();
+  } catch (const std::bad_alloc &) {
+    remember_error("no memory");
+    return HG_ERR_MEMORY;
+  } catch (const std::exception &error) {
+    remember_error(error.what());
+    return HG_ERR_INTERNAL;
+  } catch (...) {
+    remember_error("an exception of unknown type");
+    return HG_ERR_INTERNAL;
+  }
+}
+
+inline void check_pointer(const void *pointer, const char *name) {
+  if (pointer == nullptr) fail(HG_ERR_NULL, "%s is NULL", name);
+}
+
+// Runs `body` on a grid that may be used now.
+template <class Body>
+hg_status on_grid(hg_grid *grid, Body &&body) noexcept {
+  return guarded([&] {
+    check_pointer(grid, "grid");
+    if (grid->grid.is_visited()) fail(HG_ERR_STATE, "the grid is being visited: no call on it from its visitor");
+    body(grid->grid);
+  });
+}
+
+}  // namespace hg

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "definition.hpp"
+
+#include "error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace hg {
+namespace {
+
+constexpr uint32_t kFirstStructSize = sizeof(hg_grid_def);  // of version 0.1, the first
+
+// K of Eq. 7. The paper's value suits its own code, whose tests of candidates are dear beside visits to cells. Ours are
+// cheap, so fewer levels are best; the fit is in docs/performance.md.
+constexpr double kPaperOverhead = 0.3;
+constexpr double kFittedOverhead = 2.0;
+
+void check_choice(const char *name, int32_t value, int32_t least, int32_t greatest) {
+  if (value < least || value > greatest) {
+    fail(HG_ERR_ARGUMENT, "def.%s = %d is not in [%d, %d]", name, static_cast<int>(value), static_cast<int>(least),
+         static_cast<int>(greatest));
+  }
+}
+
+void check_length(const char *name, double value) {
+  if (!std::isfinite(value) || value < 0) fail(HG_ERR_ARGUMENT, "def.%s = %g is not finite and >= 0", name, value);
+}
+
+Domain check_domain(const hg_grid_def &def) {
+  Domain domain;
+  domain.dimension = def.dimension;
+  for (int k = 0; k < def.dimension; k++) {
+    if (def.periodic[k] != 0 && def.periodic[k] != 1) {
+      fail(HG_ERR_ARGUMENT, "def.periodic[%d] = %d is not 0 or 1", k, static_cast<int>(def.periodic[k]));
+    }
+    const double low = def.box_min[k], high = def.box_max[k];
+    if (!std::isfinite(low) || !std::isfinite(high)) {
+      fail(HG_ERR_ARGUMENT, "def.box_min[%d], def.box_max[%d] = %g, %g are not finite", k, k, low, high);
+    }
+    domain.periodic[k] = def.periodic[k] == 1;
+    domain.any_periodic = domain.any_periodic || domain.periodic[k];
+    if (high < low || (domain.periodic[k] && high == low)) {
+      fail(HG_ERR_ARGUMENT, "def.box_max[%d] = %g is not above def.box_min[%d] = %g", k, high, k, low);
+    }
+    domain.box_min[k] = low;
+    domain.box_max[k] = high;
+    domain.length[k] = high - low;
+    if (!std::isfinite(domain.length[k])) fail(HG_ERR_ARGUMENT, "def.box_max[%d] - def.box_min[%d] overflows", k, k);
+  }
+  return domain;
+}
+
+void check_levels(const hg_grid_def &def, Definition &checked) {
+  check_choice("level_rule", def.level_rule, HG_LEVELS_AUTO, HG_LEVELS_USER);
+  if (def.level_count < 0) {
+    fail(HG_ERR_ARGUMENT, "def.level_count = %d is negative", static_cast<int>(def.level_count));
+  }
+  if (def.level_count > HG_MAX_LEVELS) {
+    fail(HG_ERR_LIMIT, "def.level_count = %d: at most %d levels", static_cast<int>(def.level_count),
+         static_cast<int>(HG_MAX_LEVELS));
+  }
+  checked.level_rule = def.level_rule;
+  checked.level_count = def.level_count;
+  if (def.level_rule != HG_LEVELS_USER) return;
+  if (def.level_count == 0) fail(HG_ERR_ARGUMENT, "def.level_count = 0: HG_LEVELS_USER needs cell_sizes");
+  if (def.cell_sizes == nullptr) fail(HG_ERR_NULL, "def.cell_sizes is NULL with HG_LEVELS_USER");
+  for (int h = 0; h < def.level_count; h++) {
+    const double s = def.cell_sizes[h];
+    if (!std::isfinite(s) || s <= 0) fail(HG_ERR_ARGUMENT, "def.cell_sizes[%d] = %g is not finite and > 0", h, s);
+    if (h > 0 && s <= def.cell_sizes[h - 1]) {
+      fail(HG_ERR_ARGUMENT, "def.cell_sizes[%d] = %g is not above cell_sizes[%d] = %g", h, s, h - 1,
+           def.cell_sizes[h - 1]);
+    }
+    checked.cell_sizes[h] = s;
+  }
+}
+
+}  // namespace
+
+void fill_defaults(hg_grid_def *def, size_t struct_size) {
+  if (struct_size < kFirstStructSize || struct_size > sizeof(hg_grid_def)) {
+    fail(HG_ERR_ARGUMENT, "struct_size = %zu: this library knows %zu to %zu", struct_size,
+         static_cast<size_t>(kFirstStructSize), sizeof(hg_grid_def));
+  }
+  hg_grid_def defaults;
+  std::memset(&defaults, 0, sizeof defaults);
+  defaults.struct_size = static_cast<uint32_t>(struct_size);
+  defaults.dimension = 3;
+  defaults.accuracy = HG_EXACT;
+  defaults.pair_order = HG_ORDER_GRID;
+  defaults.level_rule = HG_LEVELS_AUTO;
+  defaults.cell_overhead = -1;
+  std::memcpy(def, &defaults, struct_size);
+}
+
+Definition check_definition(const hg_grid_def &caller) {
+  if (caller.struct_size < kFirstStructSize || caller.struct_size > sizeof(hg_grid_def)) {
+    fail(HG_ERR_ARGUMENT, "def.struct_size = %u: the definition was not initialised, or by a newer header",
+         static_cast<unsigned>(caller.struct_size));
+  }
+  hg_grid_def def;
+  fill_defaults(&def, sizeof def);
+  std::memcpy(&def, &caller, caller.struct_size);
+
+  check_choice("dimension", def.dimension, 2, 3);
+  check_choice("thread_count", def.thread_count, 0, 1024);
+  check_choice("index_base", def.index_base, 0, 1);
+  check_choice("interaction", def.interaction, HG_CONTACT, HG_MAX_RANGE);
+  check_choice("accuracy", def.accuracy, HG_EXACT, HG_FLOAT);
+  check_choice("pair_order", def.pair_order, HG_ORDER_GRID, HG_ORDER_ID);
+  check_length("margin", def.margin);
+  check_length("skin", def.skin);
+  if (std::isnan(def.cell_overhead) || std::isinf(def.cell_overhead)) {
+    fail(HG_ERR_ARGUMENT, "def.cell_overhead = %g is not finite", def.cell_overhead);
+  }
+
+  Definition checked;
+  checked.dimension = def.dimension;
+  checked.index_base = def.index_base;
+  checked.accuracy = def.accuracy;
+  checked.pair_order = def.pair_order;
+  checked.interaction = {def.interaction, def.margin};
+  checked.domain = check_domain(def);
+  check_levels(def, checked);
+  checked.cell_overhead = def.cell_overhead;
+  if (def.cell_overhead < 0) {
+    checked.cell_overhead = def.level_rule == HG_LEVELS_PAPER ? kPaperOverhead : kFittedOverhead;
+  }
+  return checked;
+}
+
+}  // namespace hg

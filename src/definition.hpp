@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The caller's hg_grid_def, checked and copied.
+#pragma once
+
+#include "domain.hpp"
+#include "interaction.hpp"
+
+#include <hgrid/types.h>
+
+namespace hg {
+
+struct Definition {
+  int dimension = 3;
+  int32_t index_base = 0;
+  int32_t accuracy = HG_EXACT;
+  int32_t pair_order = HG_ORDER_GRID;
+  int32_t level_rule = HG_LEVELS_AUTO;
+  int level_count = 0;
+  double cell_sizes[HG_MAX_LEVELS] = {};
+  double cell_overhead = 0;  // K, the rule's own filled in
+  Interaction interaction;
+  Domain domain;
+};
+
+void fill_defaults(hg_grid_def *def, size_t struct_size);
+
+// Throws an Error that names the member and its value.
+Definition check_definition(const hg_grid_def &def);
+
+}  // namespace hg

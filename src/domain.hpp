@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The space that particles live in: which axes are periodic, and where a position lies in the box.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace hg {
+
+// A particle may lie this many box lengths outside a periodic axis: up to there, wrapping is off by less than 2^-32 box
+// lengths, a quarter of the resolution of the search (frame.hpp).
+inline constexpr double kMaxWraps = 1048576.0;  // 2^20
+
+struct Domain {
+  int dimension = 3;
+  bool any_periodic = false;
+  bool periodic[3] = {false, false, false};
+  double box_min[3] = {0, 0, 0};
+  double box_max[3] = {0, 0, 0};
+  double length[3] = {0, 0, 0};  // box_max - box_min, rounded; 0 where no box is given
+
+  // How many box lengths x lies above the box; x - wraps * length is in it but for rounding.
+  double wraps(int axis, double x) const {
+    if (!periodic[axis]) return 0;
+    return std::floor((x - box_min[axis]) / length[axis]);
+  }
+
+  // The position inside [box_min, box_max), up to rounding of the subtraction.
+  double wrapped(int axis, double x) const {
+    if (!periodic[axis]) return x;
+    const double inside = x - wraps(axis, x) * length[axis];
+    return inside < box_min[axis] ? box_min[axis] : (inside > box_max[axis] ? box_max[axis] : inside);
+  }
+};
+
+// Which periodic image of a particle is meant: per axis -1, 0 or +1 box lengths, packed in base 3.
+using Image = uint8_t;
+inline constexpr Image kNoImage = 13;  // (0, 0, 0)
+
+inline Image make_image(int x, int y, int z) { return static_cast<Image>((x + 1) + 3 * (y + 1) + 9 * (z + 1)); }
+inline int image_step(Image image, int axis) {
+  static constexpr int divisor[3] = {1, 3, 9};
+  return image / divisor[axis] % 3 - 1;
+}
+
+}  // namespace hg

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Decides sum of squares < square in real arithmetic on doubles. Integers only: no rounding, no overflow, no underflow,
+// whatever the compiler, the rounding mode or the host's flush-to-zero setting.
+#pragma once
+
+#include <cstdint>
+
+namespace hg {
+
+// One summand of a coordinate difference or of a reach: value * factor, |factor| <= 2^32.
+struct ExactTerm {
+  double value;
+  int64_t factor;
+};
+
+inline constexpr int kMaxExactTerms = 4;
+
+struct ExactSum {
+  ExactTerm terms[kMaxExactTerms];
+  int count = 0;
+  void add(double value, int64_t factor) { terms[count++] = {value, factor}; }
+};
+
+// True if the sum over k < dimension of difference[k]^2 is less than reach^2.
+bool exact_less(const ExactSum *difference, int dimension, const ExactSum &reach);
+
+}  // namespace hg

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Fixed-point coordinates: integers of 2^-30 of the system's extent. Their differences are exact, they need half the
+// memory of doubles, and what they cannot decide (docs/exactness.md) is decided on the doubles.
+#pragma once
+
+#include "domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace hg {
+
+inline constexpr double kFrameQuanta = 1073741824.0;  // 2^30, so that differences and periodic shifts fit in 32 bits
+
+// Extents of what is stored.
+struct Bounds {
+  double min[3] = {0, 0, 0};  // of the centres; of the box on periodic axes
+  double max[3] = {0, 0, 0};
+  double width[3] = {0, 0, 0};  // of the space that the particles themselves take; of the box where one is given
+  double max_radius = 0;
+};
+
+struct Frame {
+  double scale = 1;               // quanta per length: a power of two, so scaling rounds nothing
+  double origin[3] = {0, 0, 0};   // in quanta
+  double extent[3] = {0, 0, 0};   // in quanta
+  int32_t period[3] = {0, 0, 0};  // in quanta, rounded; 0 on open axes
+
+  // `least_extent`: a length that must be well resolved even if the centres coincide.
+  static Frame over(const Bounds &bounds, const Domain &domain, double least_extent) {
+    double half = 0.5 * least_extent;
+    for (int k = 0; k < domain.dimension; k++) half = std::max(half, 0.5 * bounds.max[k] - 0.5 * bounds.min[k]);
+    Frame frame;
+    if (half > 0) {
+      int exponent = 0;
+      std::frexp(half, &exponent);  // half < 2^exponent
+      frame.scale = std::ldexp(1.0, std::clamp(29 - exponent, -1020, 1000));
+    }
+    for (int k = 0; k < domain.dimension; k++) {
+      frame.origin[k] = bounds.min[k] * frame.scale;
+      frame.extent[k] = bounds.max[k] * frame.scale - frame.origin[k];
+      if (domain.periodic[k]) frame.period[k] = static_cast<int32_t>(std::nearbyint(domain.length[k] * frame.scale));
+    }
+    return frame;
+  }
+
+  double quanta(int axis, double x) const { return x * scale - origin[axis]; }
+
+  // The fixed-point coordinate of a position within the bounds: at most one quantum away.
+  int32_t coordinate(int axis, double x) const {
+    return static_cast<int32_t>(std::min(std::max(quanta(axis, x), 0.0), kFrameQuanta - 1));
+  }
+};
+
+}  // namespace hg

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "grid.hpp"
+
+#include "error.hpp"
+#include "pair_search.hpp"
+#include "pair_sinks.hpp"
+#include "sphere_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hg {
+namespace {
+
+// The visits that this thread is inside of, innermost first.
+struct Visit {
+  const Grid *grid;
+  const Visit *outer;
+};
+thread_local const Visit *current_visit = nullptr;
+
+class VisitScope {
+ public:
+  explicit VisitScope(const Grid *grid) : visit_{grid, current_visit} { current_visit = &visit_; }
+  ~VisitScope() { current_visit = visit_.outer; }
+  VisitScope(const VisitScope &) = delete;
+  VisitScope &operator=(const VisitScope &) = delete;
+
+ private:
+  Visit visit_;
+};
+
+double largest_diameter(const Definition &definition) {
+  return definition.level_rule == HG_LEVELS_USER ? definition.cell_sizes[definition.level_count - 1]
+                                                 : std::numeric_limits<double>::infinity();
+}
+
+// S such that S^d is the volume the particles fill; by roots first, so that no product overflows.
+double mean_edge(const Bounds &bounds, int dimension) {
+  double edge = 1;
+  for (int k = 0; k < dimension; k++) edge *= std::pow(bounds.width[k], 1.0 / dimension);
+  return edge;
+}
+
+constexpr double kFittedPrecision = 1e-3;  // of m(L) for HG_LEVELS_AUTO, whose cost model is no better
+
+}  // namespace
+
+Grid::Grid(const Definition &definition, const hg_allocator &allocator)
+    : definition_(definition),
+      memory_(allocator),
+      store_(memory_, definition.domain, definition.interaction, definition.index_base, largest_diameter(definition)),
+      overlap_(definition.interaction, definition.accuracy, definition.domain),
+      classes_(memory_),
+      scratch_(memory_),
+      index_(memory_),
+      pairs_(memory_),
+      order_(memory_),
+      rows_{NeighborRows(memory_), NeighborRows(memory_)} {
+  index_.interaction = definition.interaction;
+  index_.domain = definition.domain;
+}
+
+bool Grid::is_visited() const {
+  for (const Visit *visit = current_visit; visit != nullptr; visit = visit->outer) {
+    if (visit->grid == this) return true;
+  }
+  return false;
+}
+
+void Grid::insert(size_t count, const double *centers, const double *radii) {
+  store_.insert(count, centers, radii);
+  changed();
+}
+
+void Grid::move(size_t count, const double *centers, const double *radii) {
+  store_.move(count, centers, radii);
+  changed();
+}
+
+void Grid::remove(size_t count, const int32_t *ids) {
+  store_.remove(count, ids);
+  changed();
+}
+
+void Grid::clear() {
+  store_.clear();
+  changed();
+}
+
+void Grid::changed() {
+  built_ = false;
+  pairs_found_ = false;
+  rows_made_[HG_HALF] = rows_made_[HG_FULL] = false;
+}
+
+void Grid::build() {
+  const std::lock_guard lock(mutex_);
+  build_locked();
+}
+
+void Grid::build_locked() {
+  if (built_) return;
+  store_.compact();
+  const Bounds bounds = bounds_of(store_, definition_.domain);
+  plan_ = plan(bounds);
+  build_index(index_, scratch_, store_, bounds, plan_);
+  describe_levels(mean_edge(bounds, definition_.dimension));
+  stats_.build_count++;
+  built_ = true;
+}
+
+LevelPlan Grid::plan(const Bounds &bounds) {
+  if (definition_.level_rule == HG_LEVELS_USER) {
+    return user_levels(definition_.cell_sizes, definition_.level_count, definition_.interaction);
+  }
+  LevelRequest request;
+  request.dimension = definition_.dimension;
+  request.level_count = definition_.level_count;
+  request.cell_overhead = definition_.cell_overhead;
+  request.edge = mean_edge(bounds, definition_.dimension);
+  request.interaction = definition_.interaction;
+  if (definition_.level_rule == HG_LEVELS_PAPER) {
+    classes_.sort_radii(store_.radii(), store_.slots());
+  } else {
+    classes_.bin_radii(store_.radii(), store_.slots());
+    request.precision = kFittedPrecision;
+  }
+  return plan_levels(classes_, request);
+}
+
+void Grid::describe_levels(double edge) {
+  LevelRequest request;
+  request.dimension = definition_.dimension;
+  request.edge = edge;
+  for (int h = 0; h < index_.level_count; h++) {
+    const IndexLevel &level = index_.levels[h];
+    const int64_t particles = level.end - level.begin;
+    levels_[h].cell_size = level.plan.cell_size;
+    levels_[h].largest_radius = level.largest_radius;
+    levels_[h].occupancy = occupancy(particles, level.plan.cell_size, request);
+    levels_[h].particle_count = particles;
+  }
+}
+
+void Grid::count_search(const PairSink &sink, size_t pairs) {
+  stats_.candidate_count = sink.candidate_count;
+  stats_.undecided_count = sink.undecided_count;
+  stats_.exact_count = sink.exact_count;
+  stats_.pair_count = static_cast<int64_t>(pairs);
+  stats_.search_count++;
+}
+
+void Grid::find_pairs_locked() {
+  build_locked();
+  if (pairs_found_) return;
+  ListSink sink(pairs_, store_);
+  search_pairs(index_, store_, overlap_, sink);
+  pair_count_ = sink.count();
+  if (definition_.pair_order == HG_ORDER_ID) {
+    order_.build(pairs_.data(), pair_count_, store_.slots(), sink.id_offset, HG_HALF);
+    order_.write_pairs(pairs_.data(), store_.slots(), sink.id_offset);
+  }
+  to_ids(pairs_.data(), pair_count_, store_);
+  count_search(sink, pair_count_);
+  pairs_found_ = true;
+}
+
+void Grid::query_pairs(const hg_pair **pairs, size_t *count) {
+  const std::lock_guard lock(mutex_);
+  find_pairs_locked();
+  *pairs = pair_count_ == 0 ? nullptr : pairs_.data();
+  *count = pair_count_;
+}
+
+void Grid::visit_pairs(hg_pair_visitor *visit, void *context) {
+  if (definition_.pair_order == HG_ORDER_ID) {
+    const hg_pair *pairs = nullptr;
+    size_t count = 0;
+    query_pairs(&pairs, &count);
+    const VisitScope scope(this);
+    for (size_t first = 0; first < count; first += VisitSink::kBatch) {
+      if (visit(context, pairs + first, std::min(VisitSink::kBatch, count - first)) != 0) return;
+    }
+    return;
+  }
+  build();
+  Buffer<hg_pair> batch(memory_);
+  VisitSink sink(batch, store_, visit, context);
+  {
+    const VisitScope scope(this);
+    search_pairs(index_, store_, overlap_, sink);
+    sink.flush();
+  }
+  const std::lock_guard lock(mutex_);
+  count_search(sink, sink.visited());
+}
+
+void Grid::query_neighbors(int32_t list, const int64_t **offsets, const int32_t **neighbors) {
+  const std::lock_guard lock(mutex_);
+  find_pairs_locked();
+  NeighborRows &rows = rows_[list];
+  if (!rows_made_[list]) {
+    if (store_.contiguous()) {
+      rows.build(pairs_.data(), pair_count_, store_.slots(), store_.id_offset(), list);
+    } else {
+      Buffer<hg_pair> by_slot(memory_);
+      by_slot.require(pair_count_);
+      for (size_t p = 0; p < pair_count_; p++) {
+        by_slot[p] = {static_cast<int32_t>(store_.find(pairs_[p].a)), static_cast<int32_t>(store_.find(pairs_[p].b))};
+      }
+      rows.build(by_slot.data(), pair_count_, store_.slots(), 0, list);
+      const auto count = static_cast<size_t>(rows.offsets()[store_.slots()]);
+      for (size_t k = 0; k < count; k++) {
+        rows.neighbors()[k] = store_.id(static_cast<size_t>(rows.neighbors()[k]));
+      }
+    }
+    rows_made_[list] = true;
+  }
+  *offsets = rows.offsets();
+  *neighbors = rows.neighbors();
+}
+
+size_t Grid::query_sphere(const Ball &sphere, Buffer<int32_t> &found) {
+  for (int k = 0; k < definition_.dimension; k++) {
+    const double x = sphere.center[k];
+    if (!std::isfinite(x)) fail(HG_ERR_ARGUMENT, "center[%d] = %g is not finite", k, x);
+    if (!(std::fabs(definition_.domain.wraps(k, x)) <= kMaxWraps)) {
+      fail(HG_ERR_ARGUMENT, "center[%d] = %g: more than 2^20 box lengths outside the periodic box", k, x);
+    }
+  }
+  if (!std::isfinite(sphere.radius) || sphere.radius < 0) {
+    fail(HG_ERR_ARGUMENT, "radius = %g is not finite and >= 0", sphere.radius);
+  }
+  build();
+  const size_t count = search_sphere(index_, store_, overlap_, sphere, found);
+  for (size_t k = 0; k < count; k++) found[k] = store_.id(static_cast<size_t>(found[k]));
+  std::sort(found.data(), found.data() + count);
+  return count;
+}
+
+void Grid::query_levels(const hg_level **levels, size_t *count) {
+  build();
+  *levels = levels_;
+  *count = static_cast<size_t>(index_.level_count);
+}
+
+void Grid::query_level_costs(const hg_level_cost **costs, size_t *count) {
+  build();
+  *costs = plan_.costs;
+  *count = static_cast<size_t>(plan_.cost_count);
+}
+
+hg_grid_stats Grid::stats() {
+  const std::lock_guard lock(mutex_);
+  hg_grid_stats stats = stats_;
+  stats.particle_count = static_cast<int64_t>(store_.live_count());
+  stats.level_count = index_.level_count;
+  stats.row_count = index_.row_count;
+  stats.cell_count = index_.cell_count;
+  stats.byte_count = memory_.bytes() + static_cast<int64_t>(sizeof(Grid));
+  return stats;
+}
+
+}  // namespace hg

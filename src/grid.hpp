@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A grid as the C interface knows it: particles, the index over them, and the results lent to the caller.
+#pragma once
+
+#include "definition.hpp"
+#include "index.hpp"
+#include "level_plan.hpp"
+#include "memory.hpp"
+#include "neighbor_rows.hpp"
+#include "overlap.hpp"
+#include "particle_store.hpp"
+#include "size_classes.hpp"
+
+#include <hgrid/types.h>
+
+#include <mutex>
+
+namespace hg {
+
+class Grid {
+ public:
+  Grid(const Definition &definition, const hg_allocator &allocator);
+
+  void insert(size_t count, const double *centers, const double *radii);
+  void move(size_t count, const double *centers, const double *radii);
+  void remove(size_t count, const int32_t *ids);
+  void clear();
+
+  // The calls below build the index if it is out of date. They may run in parallel with each other.
+  void build();
+  void query_pairs(const hg_pair **pairs, size_t *count);
+  void visit_pairs(hg_pair_visitor *visit, void *context);
+  void query_neighbors(int32_t list, const int64_t **offsets, const int32_t **neighbors);
+  // `found` receives the ids in ascending order.
+  size_t query_sphere(const Ball &sphere, Buffer<int32_t> &found);
+  void query_levels(const hg_level **levels, size_t *count);
+  void query_level_costs(const hg_level_cost **costs, size_t *count);
+  hg_grid_stats stats();
+
+  // True on a thread that is inside a visitor of this grid.
+  bool is_visited() const;
+  const hg_allocator &allocator() const { return memory_.allocator(); }
+  int dimension() const { return definition_.dimension; }
+
+ private:
+  void build_locked();
+  void find_pairs_locked();
+  LevelPlan plan(const Bounds &bounds);
+  void describe_levels(double edge);
+  void count_search(const struct PairSink &sink, size_t pairs);
+  void changed();
+
+  Definition definition_;
+  Memory memory_;
+  std::mutex mutex_;  // makes queries of several threads on one grid take turns where they store results
+  ParticleStore store_;
+  Overlap overlap_;
+  SizeClasses classes_;
+  BuildScratch scratch_;
+  Index index_;
+  LevelPlan plan_;
+  hg_level levels_[HG_MAX_LEVELS];
+  bool built_ = false;
+
+  Buffer<hg_pair> pairs_;
+  size_t pair_count_ = 0;
+  bool pairs_found_ = false;
+  NeighborRows order_;
+  NeighborRows rows_[2];  // HG_HALF, HG_FULL
+  bool rows_made_[2] = {false, false};
+  hg_grid_stats stats_{};
+};
+
+}  // namespace hg

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The hierarchical grid itself: particles in fixed point, sorted by level, row and cell, with the tables that find
+// them.
+#pragma once
+
+#include "frame.hpp"
+#include "kernels/kernel.hpp"
+#include "level_plan.hpp"
+#include "memory.hpp"
+#include "particle_store.hpp"
+#include "sparse_rows.hpp"
+
+#include <cstdint>
+
+namespace hg {
+
+// Fixed-point particles as structure of arrays.
+class PointStore {
+ public:
+  explicit PointStore(Memory &memory) : x(memory), y(memory), z(memory), radius(memory), slot(memory), image(memory) {}
+  PointArrays arrays(bool with_images) const {
+    return {x.data(), y.data(), z.data(), radius.data(), slot.data(), with_images ? image.data() : nullptr};
+  }
+  Buffer<int32_t> x, y, z;
+  Buffer<float> radius;
+  Buffer<uint32_t> slot;
+  Buffer<uint8_t> image;
+};
+
+struct IndexLevel {
+  PlannedLevel plan;
+  double largest_radius = 0;    // of the particles on the level
+  double occupancy = 0;         // m_h
+  uint32_t begin = 0, end = 0;  // in the sorted particles
+  // Periodic images that reach into the box, in the sorted images: those that stand for a step forward come first, so
+  // that own-level pairs across the box are met from one side only.
+  uint32_t image_begin = 0, image_forward_end = 0, image_end = 0;
+  bool sparse = false;
+  CellTable cells{};   // unless sparse
+  SparseLevel rows{};  // if sparse
+};
+
+// Read-only once built.
+class Index {
+ public:
+  explicit Index(Memory &memory) : particles(memory), images(memory), sparse(memory), cell_begin(memory) {}
+
+  Interaction interaction;
+  Domain domain;
+  Frame frame;
+  int level_count = 0;
+  IndexLevel levels[HG_MAX_LEVELS];
+  int64_t row_count = 0, cell_count = 0;
+
+  PointStore particles;
+  PointStore images;
+  SparseRows sparse;
+  Buffer<uint32_t> cell_begin;
+};
+
+// What building needs besides the index, kept between builds.
+struct BuildScratch {
+  explicit BuildScratch(Memory &memory)
+      : level_of(memory), row_of(memory), row_begin(memory), sample(memory), records(memory), bucket(memory) {}
+  struct Record {
+    int32_t x, y, z;
+    float radius;
+    uint32_t slot;
+  };
+  Buffer<uint8_t> level_of;
+  Buffer<uint32_t> row_of;
+  Buffer<uint32_t> row_begin;
+  Buffer<uint64_t> sample;
+  Buffer<Record> records;
+  Buffer<uint32_t> bucket;
+};
+
+// The extents of what is stored.
+Bounds bounds_of(const ParticleStore &store, const Domain &domain);
+
+// Sorts the particles of the store (which has no gaps) into the levels of the plan. O(N) for dense levels.
+void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store, const Bounds &bounds,
+                 const LevelPlan &plan);
+
+}  // namespace hg

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The interface of the search kernels: plain pointers and numbers only, so that a kernel can be compiled for an
+// instruction set of its own without sharing inline functions with other files.
+#pragma once
+
+#include <hgrid/types.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hg {
+
+// Lengths here are in quanta (frame.hpp). What a window must allow for: coordinates are floored (1), wrapped and
+// shifted across the box (1.25), converted to float (64 each) and compared with row borders computed in float (256).
+// docs/exactness.md adds this up.
+inline constexpr float kWindowSlack = 1024.0f;
+inline constexpr float kWindowScale = 1.0f + 0x1p-20f;
+
+// |t - (d^2 - R^2)| < R * (kBandLinear + kBandSquare * R) + kBandConstant wherever the sign of t could be wrong.
+inline constexpr float kBandLinear = 8.0f;
+inline constexpr float kBandSquare = 0x1p-19f;
+inline constexpr float kBandConstant = 16.0f;
+
+// Particles sorted by level, row and cell. Radii are folded (interaction.hpp).
+struct PointArrays {
+  const int32_t *x, *y, *z;  // z is not read in 2D
+  const float *radius;
+  const uint32_t *slot;
+  const uint8_t *image;  // which periodic image the points stand for; NULL: themselves
+};
+
+// The cells of one level: rows along x, stacked in y and z. Cell c of row (y, z) begins at
+// cell_begin[(z * count[1] + y) * count[0] + c] in the sorted particles, and ends where the next cell begins.
+struct CellTable {
+  int32_t count[3];
+  float width[3];
+  float inverse_width[3];
+  float largest_radius;  // folded, of the particles on the level
+  const uint32_t *cell_begin;
+};
+
+// Where found pairs go: `next` .. `limit` is room for pairs.
+struct PairSink {
+  hg_pair *next;
+  hg_pair *limit;
+  // Makes room for `count` pairs more; false ends the search.
+  bool (*make_room)(PairSink *sink, size_t count);
+  // Decides a pair that the fast test leaves open.
+  bool (*decide)(PairSink *sink, uint32_t slot_a, uint32_t slot_b, uint8_t image);
+  const void *overlap;
+  const void *store;
+  int32_t id_offset;
+  int64_t candidate_count;
+  int64_t undecided_count;
+  int64_t exact_count;
+  bool accept_undecided;  // HG_FLOAT
+};
+
+// Candidates are handed on in pieces of at most this many, so that a sink needs room for no more at once.
+inline constexpr uint32_t kMaxPiece = 1024;
+
+struct SearchKernel {
+  // Pairs within one level: each of the points [begin, end), which are particles of that level, with those after it.
+  // Cells must be at least as wide as the reach on that level. False if the sink stopped.
+  bool (*own_level)(const PointArrays &points, uint32_t begin, uint32_t end, const CellTable &cells, PairSink *sink);
+  // Pairs of each of the points [begin, end) with all particles of a level.
+  bool (*cross_level)(const PointArrays &points, uint32_t begin, uint32_t end, const CellTable &cells,
+                      const PointArrays &particles, PairSink *sink);
+};
+
+// The reference: no vector instructions. dimension 2 or 3; interaction HG_CONTACT or HG_MAX_RANGE.
+SearchKernel scalar_kernel(int dimension, int32_t interaction);
+
+}  // namespace hg

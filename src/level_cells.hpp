@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How the cells of a level are laid over space: rows along x, wide in y and z, finely divided in x.
+#pragma once
+
+#include "frame.hpp"
+#include "kernels/kernel.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hg {
+
+// Row width and cell length in units of s_h. Wide rows make few ranges of candidates; short cells cut each range to the
+// chord of the search sphere. Measured best for the scalar kernel, see docs/decisions/0004-rows-and-cells.md.
+inline constexpr double kRowWidth = 1.5;
+inline constexpr double kCellLength = 0.5;
+
+// A table of cells takes at most this many per particle of its level.
+inline constexpr double kCellsPerParticle = 4;
+inline constexpr double kFewCells = 64;
+
+struct LevelCells {
+  CellTable table{};
+  size_t rows = 1;
+  size_t cells = 1;
+  bool widened = false;  // wider than s_h asks for, to bound memory: good only if space is filled evenly
+};
+
+// `cell_size`: s_h in quanta; `particles`: N_h > 0.
+LevelCells lay_cells(const Frame &frame, int dimension, double cell_size, size_t particles);
+
+}  // namespace hg

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pair_search.hpp"
+
+#include <cmath>
+
+namespace hg {
+namespace {
+
+bool decide(PairSink *sink, uint32_t slot_a, uint32_t slot_b, uint8_t image) {
+  const auto &overlap = *static_cast<const Overlap *>(sink->overlap);
+  const auto &store = *static_cast<const ParticleStore *>(sink->store);
+  return overlap.test(store.ball(slot_a), store.ball(slot_b), image, sink->exact_count);
+}
+
+// A box around a point in doubles that holds the centres of all its partners on a level.
+struct Window {
+  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+};
+
+class Search {
+ public:
+  Search(const Index &index, const ParticleStore &store, PairSink &sink)
+      : index_(index),
+        store_(store),
+        sink_(sink),
+        kernel_(scalar_kernel(index.domain.dimension, index.interaction.kind)),
+        particles_(index.particles.arrays(false)),
+        images_(index.images.arrays(true)) {}
+
+  void run() {
+    for (int h = 0; h < index_.level_count; h++) {
+      const IndexLevel &level = index_.levels[h];
+      if (level.begin == level.end) continue;
+      if (!own_level(level) || !cross_level(images_, level.image_begin, level.image_forward_end, level)) return;
+      for (int k = 0; k < h; k++) {
+        const IndexLevel &finer = index_.levels[k];
+        if (finer.begin == finer.end) continue;
+        if (!cross_level(particles_, level.begin, level.end, finer)) return;
+        if (!cross_level(images_, level.image_begin, level.image_end, finer)) return;
+      }
+    }
+  }
+
+ private:
+  bool own_level(const IndexLevel &level) {
+    if (!level.sparse) return kernel_.own_level(particles_, level.begin, level.end, level.cells, &sink_);
+    SparseRows::Place place = index_.sparse.first_place(level.rows);
+    for (uint32_t i = level.begin; i < level.end; i++) {
+      const Window w = window(particles_, i, level);
+      const bool go_on =
+          index_.sparse.visit_after(level.rows, index_.domain.dimension, i, place, w.low, w.high,
+                                    [&](uint32_t begin, uint32_t end) { return test(particles_, i, begin, end); });
+      if (!go_on) return false;
+    }
+    return true;
+  }
+
+  bool cross_level(const PointArrays &points, uint32_t begin, uint32_t end, const IndexLevel &level) {
+    if (begin == end) return true;
+    if (!level.sparse) return kernel_.cross_level(points, begin, end, level.cells, particles_, &sink_);
+    for (uint32_t i = begin; i < end; i++) {
+      const Window w = window(points, i, level);
+      const bool go_on =
+          index_.sparse.visit_box(level.rows, index_.domain.dimension, w.low, w.high,
+                                  [&](uint32_t first, uint32_t last) { return test(points, i, first, last); });
+      if (!go_on) return false;
+    }
+    return true;
+  }
+
+  static Image image_of(const PointArrays &points, uint32_t i) {
+    return points.image != nullptr ? points.image[i] : kNoImage;
+  }
+
+  // Rounding is monotone: if |x - y| < reach then y lies between the rounded ends. The factor makes up for the rounding
+  // of the reach itself; positions wrapped into a box are off by less than 2^-31 box lengths.
+  Window window(const PointArrays &points, uint32_t i, const IndexLevel &level) const {
+    const Domain &domain = index_.domain;
+    const double *center = store_.center(points.slot[i]);
+    const double reach =
+        index_.interaction.reach(store_.radius(points.slot[i]), level.largest_radius) * (1.0 + 0x1p-50);
+    Window w;
+    for (int k = 0; k < domain.dimension; k++) {
+      double x = domain.wrapped(k, center[k]);
+      double slack = 0;
+      if (domain.periodic[k]) {
+        x += image_step(image_of(points, i), k) * domain.length[k];
+        slack = 0x1p-30 * domain.length[k];
+      }
+      w.low[k] = x - (reach + slack);
+      w.high[k] = x + (reach + slack);
+    }
+    return w;
+  }
+
+  bool test(const PointArrays &points, uint32_t i, uint32_t begin, uint32_t end) {
+    const uint32_t slot = points.slot[i];
+    const Image image = image_of(points, i);
+    sink_.candidate_count += end - begin;
+    for (uint32_t j = begin; j < end; j++) {
+      const uint32_t other = particles_.slot[j];
+      if (!decide(&sink_, slot, other, image)) continue;
+      if (sink_.next == sink_.limit && !sink_.make_room(&sink_, 1)) return false;
+      const uint32_t low = slot < other ? slot : other, high = slot < other ? other : slot;
+      *sink_.next++ = {static_cast<int32_t>(low) + sink_.id_offset, static_cast<int32_t>(high) + sink_.id_offset};
+    }
+    return true;
+  }
+
+  const Index &index_;
+  const ParticleStore &store_;
+  PairSink &sink_;
+  SearchKernel kernel_;
+  PointArrays particles_;
+  PointArrays images_;
+};
+
+}  // namespace
+
+void search_pairs(const Index &index, const ParticleStore &store, const Overlap &overlap, PairSink &sink) {
+  sink.decide = decide;
+  sink.overlap = &overlap;
+  sink.store = &store;
+  sink.accept_undecided = overlap.accuracy() == HG_FLOAT;
+  Search(index, store, sink).run();
+}
+
+}  // namespace hg

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sphere_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hg {
+namespace {
+
+class SphereSearch {
+ public:
+  SphereSearch(const Index &index, const ParticleStore &store, const Overlap &overlap, const Ball &sphere,
+               Buffer<int32_t> &found)
+      : index_(index), store_(store), overlap_(overlap), sphere_(sphere), found_(found) {}
+
+  size_t run() {
+    for (int h = 0; h < index_.level_count; h++) {
+      const IndexLevel &level = index_.levels[h];
+      if (level.begin == level.end) continue;
+      for (Image image = 0; image < 27; image++) {
+        if (is_possible(image)) search(level, image);
+      }
+    }
+    // A sphere wider than half the box can meet a particle through several images.
+    if (index_.domain.any_periodic) {
+      std::sort(found_.data(), found_.data() + count_);
+      count_ = static_cast<size_t>(std::unique(found_.data(), found_.data() + count_) - found_.data());
+    }
+    return count_;
+  }
+
+ private:
+  bool is_possible(Image image) const {
+    for (int k = 0; k < 3; k++) {
+      if (image_step(image, k) != 0 && !index_.domain.periodic[k]) return false;
+    }
+    return true;
+  }
+
+  void search(const IndexLevel &level, Image image) {
+    const Domain &domain = index_.domain;
+    const double reach = index_.interaction.reach(sphere_.radius, level.largest_radius) * (1.0 + 0x1p-50);
+    double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+    for (int k = 0; k < domain.dimension; k++) {
+      const double x =
+          domain.wrapped(k, sphere_.center[k]) + image_step(image, k) * domain.length[k] * (domain.periodic[k] ? 1 : 0);
+      const double slack = domain.periodic[k] ? 0x1p-30 * domain.length[k] : 0;
+      low[k] = x - (reach + slack);
+      high[k] = x + (reach + slack);
+      if (domain.periodic[k] && (high[k] < domain.box_min[k] || low[k] > domain.box_max[k])) return;
+    }
+    if (level.sparse) {
+      index_.sparse.visit_box(level.rows, domain.dimension, low, high, [&](uint32_t begin, uint32_t end) {
+        test(begin, end, image);
+        return true;
+      });
+    } else {
+      search_cells(level, low, high, image);
+    }
+  }
+
+  void search_cells(const IndexLevel &level, const double *low, const double *high, Image image) {
+    int32_t first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
+    for (int k = 0; k < index_.domain.dimension; k++) {
+      first[k] = cell_of(level.cells, k, low[k], -1.0);
+      last[k] = cell_of(level.cells, k, high[k], 1.0);
+    }
+    for (int32_t z = first[2]; z <= last[2]; z++) {
+      for (int32_t y = first[1]; y <= last[1]; y++) {
+        const uint32_t *cell =
+            level.cells.cell_begin +
+            (static_cast<size_t>(z) * static_cast<size_t>(level.cells.count[1]) + static_cast<size_t>(y)) *
+                static_cast<size_t>(level.cells.count[0]);
+        test(cell[first[0]], cell[last[0] + 1], image);
+      }
+    }
+  }
+
+  // The kernels' map from coordinates to cells, for positions that may lie far outside; `side` says which way to round.
+  int32_t cell_of(const CellTable &cells, int axis, double x, double side) const {
+    const double quanta =
+        std::clamp(index_.frame.quanta(axis, x) + side * static_cast<double>(kWindowSlack), -1.0, kFrameQuanta);
+    const float last = static_cast<float>(cells.count[axis]) - 0.5f;
+    return static_cast<int32_t>(std::min(std::max(static_cast<float>(quanta) * cells.inverse_width[axis], 0.0f), last));
+  }
+
+  void test(uint32_t begin, uint32_t end, Image image) {
+    int64_t exact = 0;
+    for (uint32_t j = begin; j < end; j++) {
+      const uint32_t slot = index_.particles.slot[j];
+      if (!overlap_.test(sphere_, store_.ball(slot), image, exact)) continue;
+      found_.grow(count_ + 1);
+      found_[count_++] = static_cast<int32_t>(slot);
+    }
+  }
+
+  const Index &index_;
+  const ParticleStore &store_;
+  const Overlap &overlap_;
+  const Ball &sphere_;
+  Buffer<int32_t> &found_;
+  size_t count_ = 0;
+};
+
+}  // namespace
+
+size_t search_sphere(const Index &index, const ParticleStore &store, const Overlap &overlap, const Ball &sphere,
+                     Buffer<int32_t> &found) {
+  return SphereSearch(index, store, overlap, sphere, found).run();
+}
+
+}  // namespace hg

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the particles that one sphere, not necessarily a particle, interacts with.
+#pragma once
+
+#include "index.hpp"
+#include "overlap.hpp"
+#include "particle_store.hpp"
+
+#include <cstdint>
+
+namespace hg {
+
+// Writes the slots of the particles met, each once, in no order, into `found` and returns their number.
+size_t search_sphere(const Index &index, const ParticleStore &store, const Overlap &overlap, const Ball &sphere,
+                     Buffer<int32_t> &found);
+
+}  // namespace hg
