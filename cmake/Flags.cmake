@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
 # Two interface targets carry all flags: hgrid_flags for everything we compile, hgrid_warnings for our own sources only.
 add_library(hgrid_flags INTERFACE)
 target_compile_features(hgrid_flags INTERFACE cxx_std_17)

@@ -15,15 +15,15 @@ bool reaches_box(const Index &index, uint32_t i, float window, int axis, int ste
 
 void append(Index &index, uint32_t i, Image image, uint32_t at) {
   PointStore &images = index.images;
-  images.x.grow(at + 1);
-  images.y.grow(at + 1);
-  images.radius.grow(at + 1);
-  images.slot.grow(at + 1);
-  images.image.grow(at + 1);
+  images.x.grow(at + 1 + kPadding);
+  images.y.grow(at + 1 + kPadding);
+  images.radius.grow(at + 1 + kPadding);
+  images.slot.grow(at + 1 + kPadding);
+  images.image.grow(at + 1 + kPadding);
   images.x[at] = index.particles.x[i] + image_step(image, 0) * index.frame.period[0];
   images.y[at] = index.particles.y[i] + image_step(image, 1) * index.frame.period[1];
   if (index.domain.dimension == 3) {
-    images.z.grow(at + 1);
+    images.z.grow(at + 1 + kPadding);
     images.z[at] = index.particles.z[i] + image_step(image, 2) * index.frame.period[2];
   }
   images.radius[at] = index.particles.radius[i];

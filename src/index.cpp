@@ -216,6 +216,18 @@ class Builder {
 
 }  // namespace
 
+void PointStore::require(size_t count, int dimension) {
+  const auto prepare = [count](auto &buffer) {
+    buffer.require(count + kPadding);
+    std::fill(buffer.data() + count, buffer.data() + count + kPadding, 0);
+  };
+  prepare(x);
+  prepare(y);
+  if (dimension == 3) prepare(z);
+  prepare(radius);
+  prepare(slot);
+}
+
 Bounds bounds_of(const ParticleStore &store, const Domain &domain) {
   Bounds bounds;
   if (store.slots() == 0) return bounds;
@@ -242,11 +254,7 @@ Bounds bounds_of(const ParticleStore &store, const Domain &domain) {
 void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store, const Bounds &bounds,
                  const LevelPlan &plan) {
   const size_t count = store.slots();
-  index.particles.x.require(count);
-  index.particles.y.require(count);
-  if (index.domain.dimension == 3) index.particles.z.require(count);
-  index.particles.radius.require(count);
-  index.particles.slot.require(count);
+  index.particles.require(count, index.domain.dimension);
   index.frame = Frame::over(bounds, index.domain, index.interaction.diameter(bounds.max_radius));
   index.level_count = plan.level_count;
   index.row_count = index.cell_count = 0;

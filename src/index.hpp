@@ -22,6 +22,9 @@ class PointStore {
   PointArrays arrays(bool with_images) const {
     return {x.data(), y.data(), z.data(), radius.data(), slot.data(), with_images ? image.data() : nullptr};
   }
+  // Room for `count` points and defined values in the padding; contents are lost.
+  void require(size_t count, int dimension);
+
   Buffer<int32_t> x, y, z;
   Buffer<float> radius;
   Buffer<uint32_t> slot;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pair_search.hpp"
 
-#include <cmath>
+#include "kernels/kernel_sets.hpp"
 
 namespace hg {
 namespace {
@@ -24,7 +24,7 @@ class Search {
       : index_(index),
         store_(store),
         sink_(sink),
-        kernel_(scalar_kernel(index.domain.dimension, index.interaction.kind)),
+        kernel_(active_kernels().search[index.domain.dimension - 2][index.interaction.kind]),
         particles_(index.particles.arrays(false)),
         images_(index.images.arrays(true)) {}
 

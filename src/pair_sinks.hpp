@@ -22,7 +22,7 @@ inline void to_ids(hg_pair *pairs, size_t count, const ParticleStore &store) {
 class ListSink : public PairSink {
  public:
   ListSink(Buffer<hg_pair> &pairs, const ParticleStore &particles) : PairSink{}, pairs_(pairs) {
-    pairs_.grow(particles.slots() + kMaxPiece);
+    pairs_.grow(particles.slots() + kMaxPiece + kPadding);
     next = pairs_.data();
     limit = pairs_.data() + pairs_.capacity();
     id_offset = particles.contiguous() ? particles.id_offset() : 0;
@@ -75,6 +75,6 @@ class VisitSink : public PairSink {
   bool stopped_ = false;
 };
 
-static_assert(VisitSink::kBatch >= kMaxPiece, "a piece of candidates must fit into an empty batch");
+static_assert(VisitSink::kBatch >= kMaxPiece + kPadding, "a piece of candidates must fit into an empty batch");
 
 }  // namespace hg

@@ -22,7 +22,10 @@ inline constexpr float kBandLinear = 8.0f;
 inline constexpr float kBandSquare = 0x1p-19f;
 inline constexpr float kBandConstant = 16.0f;
 
-// Particles sorted by level, row and cell. Radii are folded (interaction.hpp).
+// Kernels read and write this many elements beyond the end of arrays, ignoring what they read there.
+inline constexpr size_t kPadding = 16;
+
+// Particles sorted by level, row and cell, with kPadding readable elements behind. Radii are folded (interaction.hpp).
 struct PointArrays {
   const int32_t *x, *y, *z;  // z is not read in 2D
   const float *radius;
@@ -40,7 +43,7 @@ struct CellTable {
   const uint32_t *cell_begin;
 };
 
-// Where found pairs go: `next` .. `limit` is room for pairs.
+// Where found pairs go: `next` .. `limit` is room for pairs, kPadding of them for writing beyond the end.
 struct PairSink {
   hg_pair *next;
   hg_pair *limit;
@@ -62,14 +65,17 @@ inline constexpr uint32_t kMaxPiece = 1024;
 
 struct SearchKernel {
   // Pairs within one level: each of the points [begin, end), which are particles of that level, with those after it.
-  // Cells must be at least as wide as the reach on that level. False if the sink stopped.
+  // Rows must be at least as wide as the reach on that level. False if the sink stopped.
   bool (*own_level)(const PointArrays &points, uint32_t begin, uint32_t end, const CellTable &cells, PairSink *sink);
   // Pairs of each of the points [begin, end) with all particles of a level.
   bool (*cross_level)(const PointArrays &points, uint32_t begin, uint32_t end, const CellTable &cells,
                       const PointArrays &particles, PairSink *sink);
 };
 
-// The reference: no vector instructions. dimension 2 or 3; interaction HG_CONTACT or HG_MAX_RANGE.
-SearchKernel scalar_kernel(int dimension, int32_t interaction);
+// Kernels of one instruction set, by dimension - 2 and interaction.
+struct KernelSet {
+  const char *name;
+  SearchKernel search[2][2];
+};
 
 }  // namespace hg

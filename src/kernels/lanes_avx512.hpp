@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Sixteen lanes: AVX-512 F, BW, DQ, VL.
+#pragma once
+
+#include "kernel.hpp"
+
+#include <immintrin.h>
+
+namespace hg {
+namespace {
+
+struct Avx512Lanes {
+  static constexpr uint32_t kLanes = 16;
+  using Float = __m512;
+  using Int = __m512i;
+  using Mask = __mmask16;
+
+  static Float load(const float *p) { return _mm512_loadu_ps(p); }
+  static Int load(const int32_t *p) { return _mm512_loadu_si512(p); }
+  static Float set(float a) { return _mm512_set1_ps(a); }
+  static Int set(int32_t a) { return _mm512_set1_epi32(a); }
+  static Int iota() { return _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15); }
+
+  static Float add(Float a, Float b) { return _mm512_add_ps(a, b); }
+  static Float sub(Float a, Float b) { return _mm512_sub_ps(a, b); }
+  static Float mul(Float a, Float b) { return _mm512_mul_ps(a, b); }
+  static Float min(Float a, Float b) { return _mm512_min_ps(a, b); }
+  static Float max(Float a, Float b) { return _mm512_max_ps(a, b); }
+  static Float sqrt(Float a) { return _mm512_sqrt_ps(a); }
+  static Float to_float(Int a) { return _mm512_cvtepi32_ps(a); }
+  static Int truncate(Float a) { return _mm512_cvttps_epi32(a); }
+
+  static Int add(Int a, Int b) { return _mm512_add_epi32(a, b); }
+  static Int sub(Int a, Int b) { return _mm512_sub_epi32(a, b); }
+  static Int mul(Int a, Int b) { return _mm512_mullo_epi32(a, b); }
+
+  static Mask less(Float a, Float b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
+  static Mask greater(Int a, Int b) { return _mm512_cmpgt_epi32_mask(a, b); }
+  static Mask both(Mask a, Mask b) { return static_cast<Mask>(a & b); }
+  static Mask either(Mask a, Mask b) { return static_cast<Mask>(a | b); }
+  static Mask without(Mask a, Mask b) { return static_cast<Mask>(a & ~b); }
+  static uint32_t bits(Mask a) { return a; }
+  static uint32_t count(Mask a) { return static_cast<uint32_t>(__builtin_popcount(a)); }
+
+  static int32_t first(Int a) { return _mm_cvtsi128_si32(_mm512_castsi512_si128(a)); }
+  static int32_t greatest(Int a, Mask m) { return _mm512_reduce_max_epi32(_mm512_maskz_mov_epi32(m, a)); }
+  static Int gather(const uint32_t *p, Int i, Mask m) {
+    return _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), m, i, p, 4);
+  }
+  static void compress(uint32_t *to, Int a, Mask m) { _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(m, a)); }
+
+  static hg_pair *emit(hg_pair *next, uint32_t slot, const uint32_t *others, uint32_t found, int32_t offset) {
+    const Int me = _mm512_set1_epi32(static_cast<int32_t>(slot));
+    const Int other = _mm512_maskz_compress_epi32(static_cast<Mask>(found), _mm512_loadu_si512(others));
+    const Int shift = _mm512_set1_epi32(offset);
+    const Int low = _mm512_add_epi32(_mm512_min_epi32(me, other), shift);
+    const Int high = _mm512_add_epi32(_mm512_max_epi32(me, other), shift);
+    const Int first = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+    const Int second = _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+    const int count = __builtin_popcount(found);
+    _mm512_storeu_si512(next, _mm512_permutex2var_epi32(low, first, high));
+    if (__builtin_expect(count > 8, 0)) _mm512_storeu_si512(next + 8, _mm512_permutex2var_epi32(low, second, high));
+    return next + count;
+  }
+};
+
+}  // namespace
+}  // namespace hg
