@@ -8,8 +8,8 @@
 
 namespace hg {
 
-// A particle may lie this many box lengths outside a periodic axis: up to there, wrapping is off by less than 2^-32 box
-// lengths, a quarter of the resolution of the search (frame.hpp).
+// A particle may lie this many box lengths outside a periodic axis: up to there, wrapping is off by less than
+// 3 * 2^-33 box lengths, less than half the resolution of the search (frame.hpp).
 inline constexpr double kMaxWraps = 1048576.0;  // 2^20
 
 struct Domain {
@@ -20,17 +20,19 @@ struct Domain {
   double box_max[3] = {0, 0, 0};
   double length[3] = {0, 0, 0};  // box_max - box_min, rounded; 0 where no box is given
 
-  // How many box lengths x lies above the box; x - wraps * length is in it but for rounding.
+  // How many box lengths x lies above the box: x - wraps * length is in it but for rounding.
   double wraps(int axis, double x) const {
     if (!periodic[axis]) return 0;
     return std::floor((x - box_min[axis]) / length[axis]);
   }
 
-  // The position inside [box_min, box_max), up to rounding of the subtraction.
-  double wrapped(int axis, double x) const {
+  // Where the search sees x: on periodic axes its distance from box_min, in [0, length]. Going back to absolute
+  // coordinates would lose digits in a box far from the origin.
+  double position(int axis, double x) const {
     if (!periodic[axis]) return x;
-    const double inside = x - wraps(axis, x) * length[axis];
-    return inside < box_min[axis] ? box_min[axis] : (inside > box_max[axis] ? box_max[axis] : inside);
+    const double above = x - box_min[axis];
+    const double inside = above - std::floor(above / length[axis]) * length[axis];
+    return inside < 0 ? 0 : (inside > length[axis] ? length[axis] : inside);
   }
 };
 

@@ -95,8 +95,8 @@ Integer to_integer(const ExactSum &sum, int least_exponent, int limbs) {
   std::memset(integer.limb, 0, sizeof(Limb) * static_cast<size_t>(limbs));
   for (int k = 0; k < sum.count; k++) {
     const Parts parts = decompose(sum.terms[k].value);
-    if (parts.mantissa == 0) continue;
     const int64_t factor = sum.terms[k].factor;
+    if (parts.mantissa == 0 || factor == 0) continue;
     const Limb size = factor < 0 ? Limb{0} - static_cast<Limb>(factor) : static_cast<Limb>(factor);
     integer.add(static_cast<WideLimb>(parts.mantissa) * size, parts.exponent - least_exponent,
                 parts.negative != (factor < 0), limbs);

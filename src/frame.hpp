@@ -16,19 +16,19 @@ inline constexpr double kFrameQuanta = 1073741824.0;  // 2^30, so that differenc
 
 // Extents of what is stored.
 struct Bounds {
-  double min[3] = {0, 0, 0};  // of the centres; of the box on periodic axes
+  double min[3] = {0, 0, 0};  // of the centres' positions (Domain::position): 0 and the length on periodic axes
   double max[3] = {0, 0, 0};
   double width[3] = {0, 0, 0};  // of the space that the particles themselves take; of the box where one is given
   double max_radius = 0;
 };
 
 struct Frame {
-  double scale = 1;               // quanta per length: a power of two, so scaling rounds nothing
-  double origin[3] = {0, 0, 0};   // in quanta
-  double extent[3] = {0, 0, 0};   // in quanta
-  int32_t period[3] = {0, 0, 0};  // in quanta, rounded; 0 on open axes
+  double scale = 1;                   // quanta per length: a power of two, so scaling rounds nothing
+  double half_origin[3] = {0, 0, 0};  // half the position of coordinate 0; halves, so that differences are finite
+  double extent[3] = {0, 0, 0};       // in quanta
+  int32_t period[3] = {0, 0, 0};      // in quanta, rounded; 0 on open axes
 
-  // `least_extent`: a length that must be well resolved even if the centres coincide.
+  // `least_extent`: a length that must be well resolved even if the centres coincide; finite.
   static Frame over(const Bounds &bounds, const Domain &domain, double least_extent) {
     double half = 0.5 * least_extent;
     for (int k = 0; k < domain.dimension; k++) half = std::max(half, 0.5 * bounds.max[k] - 0.5 * bounds.min[k]);
@@ -39,18 +39,18 @@ struct Frame {
       frame.scale = std::ldexp(1.0, std::clamp(29 - exponent, -1020, 1000));
     }
     for (int k = 0; k < domain.dimension; k++) {
-      frame.origin[k] = bounds.min[k] * frame.scale;
-      frame.extent[k] = bounds.max[k] * frame.scale - frame.origin[k];
+      frame.half_origin[k] = 0.5 * bounds.min[k];
+      frame.extent[k] = (0.5 * bounds.max[k] - frame.half_origin[k]) * (2 * frame.scale);
       if (domain.periodic[k]) frame.period[k] = static_cast<int32_t>(std::nearbyint(domain.length[k] * frame.scale));
     }
     return frame;
   }
 
-  double quanta(int axis, double x) const { return x * scale - origin[axis]; }
+  double quanta(int axis, double position) const { return (0.5 * position - half_origin[axis]) * (2 * scale); }
 
-  // The fixed-point coordinate of a position within the bounds: at most one quantum away.
-  int32_t coordinate(int axis, double x) const {
-    return static_cast<int32_t>(std::min(std::max(quanta(axis, x), 0.0), kFrameQuanta - 1));
+  // The fixed-point coordinate of a position (Domain::position) within the bounds: at most one quantum away.
+  int32_t coordinate(int axis, double position) const {
+    return static_cast<int32_t>(std::min(std::max(quanta(axis, position), 0.0), kFrameQuanta - 1));
   }
 };
 

@@ -54,6 +54,7 @@ class Index {
   Frame frame;
   int level_count = 0;
   IndexLevel levels[HG_MAX_LEVELS];
+  double largest_radius = 0;
   int64_t row_count = 0, cell_count = 0;
 
   PointStore particles;
@@ -65,18 +66,13 @@ class Index {
 // What building needs besides the index, kept between builds.
 struct BuildScratch {
   explicit BuildScratch(Memory &memory)
-      : level_of(memory), row_of(memory), row_begin(memory), sample(memory), records(memory), bucket(memory) {}
-  struct Record {
-    int32_t x, y, z;
-    float radius;
-    uint32_t slot;
-  };
-  Buffer<uint8_t> level_of;
+      : records(memory), row_of(memory), row_begin(memory), sorted(memory), sorted_slot(memory), bucket(memory) {}
+  Buffer<Record> records;  // in slot order
   Buffer<uint32_t> row_of;
   Buffer<uint32_t> row_begin;
-  Buffer<uint64_t> sample;
-  Buffer<Record> records;
-  Buffer<uint32_t> bucket;
+  Buffer<Record> sorted;  // by row
+  Buffer<uint32_t> sorted_slot;
+  Buffer<uint32_t> bucket;  // cells of one row's particles
 };
 
 // The extents of what is stored.

@@ -13,6 +13,9 @@ constexpr double kMaxCellsPerAxis = 262144;  // 2^18, so that a cell is never be
 // Rows must be as wide as the window of a search on their own level, so that only next neighbours are visited.
 double least_row_width(double cell_size) { return (cell_size + 2.0 * kWindowSlack) * (1.0 + 0x1p-16); }
 
+// Kernels number cells with 32 bits.
+constexpr double kMaxCells = 2147483647.0;
+
 double count_along(double extent, double width) {
   return std::clamp(std::floor(extent / width), 1.0, kMaxCellsPerAxis);
 }
@@ -31,7 +34,7 @@ LevelCells lay_cells(const Frame &frame, int dimension, double cell_size, size_t
   width[1] = width[2] = std::max(kRowWidth * cell_size, least_row_width(cell_size));
 
   LevelCells level;
-  const double most = kCellsPerParticle * static_cast<double>(particles) + kFewCells;
+  const double most = std::min(kCellsPerParticle * static_cast<double>(particles) + kFewCells, kMaxCells);
   for (double cells = total(frame.extent, width, dimension); cells > most;
        cells = total(frame.extent, width, dimension)) {
     const double grow = std::max(std::pow(cells / most, 1.0 / dimension), 1.01);

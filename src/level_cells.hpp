@@ -13,7 +13,7 @@ namespace hg {
 
 // Row width and cell length in units of s_h. Wide rows make few ranges of candidates; short cells cut each range to the
 // chord of the search sphere. Measured best for the scalar kernel, see docs/decisions/0004-rows-and-cells.md.
-inline constexpr double kRowWidth = 1.5;
+inline constexpr double kRowWidth = 2;
 inline constexpr double kCellLength = 0.5;
 
 // A table of cells takes at most this many per particle of its level.

@@ -102,6 +102,7 @@ double largest_radius_within(double s, const Interaction &interaction) {
 }  // namespace
 
 double occupancy(int64_t particles, double cell_size, const LevelRequest &request) {
+  if (particles == 0) return 0;
   // All particles in one point fill no volume: whatever the cells, they meet each other.
   if (!(request.edge > 0)) return cell_size > 0 ? static_cast<double>(particles) : 0;
   const double ratio = cell_size / request.edge;
@@ -122,7 +123,7 @@ LevelPlan plan_levels(const SizeClasses &classes, const LevelRequest &request) {
     if (wanted == 0 && level_count > kLeastLooked && level_count * request.cell_overhead >= best) break;
     const hg_level_cost cost = planner.cost(level_count, levels);
     plan.costs[plan.cost_count++] = cost;
-    if (cost.reachable == 0 || (wanted == 0 && cost.cost >= best)) continue;
+    if (cost.reachable == 0 || (wanted == 0 && plan.level_count > 0 && cost.cost >= best)) continue;
     best = cost.cost;
     plan.level_count = level_count;
     std::copy(levels, levels + level_count, plan.levels);

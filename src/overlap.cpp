@@ -4,8 +4,11 @@
 
 #include "exact_sign.hpp"
 
-#include <algorithm>
+#include <cfloat>
 #include <cmath>
+#include <cstring>
+
+static_assert(FLT_EVAL_METHOD == 0, "HG_DOUBLE is defined by double arithmetic without extended precision");
 
 namespace hg {
 namespace {
@@ -17,6 +20,14 @@ constexpr double kRelativeError = 0x1p-48;
 constexpr double kWrapError = 0x1p-50;
 // Between these, no square that matters loses bits to underflow or overflows.
 constexpr double kSafeSquareMin = 1e-280, kSafeSquareMax = 1e300;
+
+// Compares bits: a host that takes subnormals for zero must not change the answer.
+double larger_radius(double a, double b) {
+  int64_t bits_a = 0, bits_b = 0;
+  std::memcpy(&bits_a, &a, sizeof a);
+  std::memcpy(&bits_b, &b, sizeof b);
+  return bits_a > bits_b ? a : b;
+}
 
 }  // namespace
 
@@ -43,7 +54,7 @@ bool Overlap::test(const Ball &a, const Ball &b, Image image, int64_t &exact) co
   if (s2 >= kSafeSquareMin && s2 <= kSafeSquareMax) {
     const double band = kRelativeError * (d2 + s2) + wrap_error;
     if (d2 + band < s2) return true;
-    if (d2 - band >= s2) return false;
+    if (!(d2 - band < s2)) return false;  // also where d2 overflowed
     if (accuracy_ == HG_FLOAT) return true;
   }
   exact++;
@@ -65,7 +76,7 @@ bool Overlap::test_exactly(const Ball &a, const Ball &b, const double *boxes) co
     reach.add(a.radius, 1);
     reach.add(b.radius, 1);
   } else {
-    reach.add(std::max(a.radius, b.radius), 1);
+    reach.add(larger_radius(a.radius, b.radius), 1);
   }
   reach.add(interaction_.margin, 1);
   return exact_less(difference, domain_.dimension, reach);

@@ -21,8 +21,11 @@ struct Ball {
 
 class Overlap {
  public:
+  // HG_FLOAT on periodic axes decides as HG_EXACT: pairs accepted undecided could be met through two images.
   Overlap(const Interaction &interaction, int32_t accuracy, const Domain &domain)
-      : interaction_(interaction), accuracy_(accuracy), domain_(domain) {}
+      : interaction_(interaction),
+        accuracy_(accuracy == HG_FLOAT && domain.any_periodic ? HG_EXACT : accuracy),
+        domain_(domain) {}
 
   // Do a, moved by `image` box lengths from where it lies in the box, and b interact? Adds 1 to `exact` if even double
   // arithmetic left it open.

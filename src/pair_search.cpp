@@ -4,6 +4,8 @@
 
 #include "kernels/kernel_sets.hpp"
 
+#include <limits>
+
 namespace hg {
 namespace {
 
@@ -74,7 +76,8 @@ class Search {
   }
 
   // Rounding is monotone: if |x - y| < reach then y lies between the rounded ends. The factor makes up for the rounding
-  // of the reach itself; positions wrapped into a box are off by less than 2^-31 box lengths.
+  // of the reach itself; positions wrapped into a box, and what HG_DOUBLE computes across it, are off by less than
+  // 2^-28 box lengths.
   Window window(const PointArrays &points, uint32_t i, const IndexLevel &level) const {
     const Domain &domain = index_.domain;
     const double *center = store_.center(points.slot[i]);
@@ -82,11 +85,11 @@ class Search {
         index_.interaction.reach(store_.radius(points.slot[i]), level.largest_radius) * (1.0 + 0x1p-50);
     Window w;
     for (int k = 0; k < domain.dimension; k++) {
-      double x = domain.wrapped(k, center[k]);
+      double x = domain.position(k, center[k]);
       double slack = 0;
       if (domain.periodic[k]) {
         x += image_step(image_of(points, i), k) * domain.length[k];
-        slack = 0x1p-30 * domain.length[k];
+        slack = 0x1p-28 * domain.length[k];
       }
       w.low[k] = x - (reach + slack);
       w.high[k] = x + (reach + slack);
@@ -116,6 +119,13 @@ class Search {
   PointArrays images_;
 };
 
+// HG_DOUBLE is its plain expression even where that under- or overflows. Only on such scales can the expression differ
+// from a clear verdict of the fast test.
+bool plain_squares_are_clear(const Index &index, const Overlap &overlap) {
+  return overlap.accuracy() != HG_DOUBLE ||
+         (index.frame.scale <= 0x1p480 && index.interaction.diameter(index.largest_radius) <= 1e150);
+}
+
 }  // namespace
 
 void search_pairs(const Index &index, const ParticleStore &store, const Overlap &overlap, PairSink &sink) {
@@ -123,6 +133,7 @@ void search_pairs(const Index &index, const ParticleStore &store, const Overlap 
   sink.overlap = &overlap;
   sink.store = &store;
   sink.accept_undecided = overlap.accuracy() == HG_FLOAT;
+  sink.band_constant = plain_squares_are_clear(index, overlap) ? kBandConstant : std::numeric_limits<float>::infinity();
   Search(index, store, sink).run();
 }
 

@@ -3,6 +3,7 @@
 #include "particle_store.hpp"
 
 #include "error.hpp"
+#include "exact_sign.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +80,7 @@ void ParticleStore::remove(size_t count, const int32_t *ids) {
   if (count == 0) return;
   if (contiguous_) ids_.grow(slots_);
   dead_.grow(slots_);
-  if (removed_ == 0) std::memset(dead_.data(), 0, slots_);
+  if (removed_ == 0 && slots_ > 0) std::memset(dead_.data(), 0, slots_);
   for (size_t i = 0; i < count; i++) {
     const size_t slot = find(ids[i]);
     if (slot == slots_ || dead_[slot] != 0) {
@@ -134,8 +135,11 @@ void ParticleStore::check(size_t count, const double *centers, const double *rad
   if (domain_.any_periodic) {
     for (size_t i = 0; i < count; i++) check_wraps(i, centers + i * dimension_);
   }
-  if (radii == nullptr || (!domain_.any_periodic && !(largest_diameter_ < kLargest))) return;
+  if (radii == nullptr) return;
   const size_t index = static_cast<size_t>(std::max_element(radii, radii + count) - radii);
+  if (!(interaction_.diameter(radii[index]) <= kLargest)) {
+    fail(HG_ERR_LIMIT, "radii[%zu] = %g: its diameter with margin overflows", index, radii[index]);
+  }
   check_box(index, radii[index]);
   if (interaction_.diameter(radii[index]) > largest_diameter_) {
     fail(HG_ERR_ARGUMENT, "radii[%zu] = %g: its diameter with margin is %g, but the last of cell_sizes is %g", index,
@@ -154,10 +158,17 @@ void ParticleStore::check_wraps(size_t index, const double *center) const {
 
 // Nearest images are unique only while every reach is at most half the box.
 void ParticleStore::check_box(size_t index, double radius) const {
+  if (!domain_.any_periodic) return;
+  ExactSum twice_reach;
+  twice_reach.add(radius, interaction_.kind == HG_CONTACT ? 4 : 2);
+  twice_reach.add(interaction_.margin, 2);
   for (int k = 0; k < domain_.dimension; k++) {
-    if (domain_.periodic[k] && domain_.length[k] < 2 * interaction_.diameter(radius)) {
-      fail(HG_ERR_ARGUMENT, "radii[%zu] = %g: periodic axis %d has length %g, shorter than twice the reach %g", index,
-           radius, k, domain_.length[k], interaction_.diameter(radius));
+    ExactSum length;
+    length.add(domain_.box_max[k], 1);
+    length.add(domain_.box_min[k], -1);
+    if (domain_.periodic[k] && exact_less(&length, 1, twice_reach)) {
+      fail(HG_ERR_ARGUMENT, "radii[%zu] = %g: the periodic box is %g long in %c, shorter than twice the reach %g",
+           index, radius, domain_.length[k], "xyz"[k], interaction_.diameter(radius));
     }
   }
 }

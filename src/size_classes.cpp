@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "size_classes.hpp"
 
+#include "extremes.hpp"
+
 #include <algorithm>
 #include <cstring>
 
@@ -14,6 +16,12 @@ uint64_t ordered_bits(double value) {
   uint64_t bits = 0;
   std::memcpy(&bits, &value, sizeof bits);
   return bits;
+}
+
+double from_bits(uint64_t bits) {
+  double value = 0;
+  std::memcpy(&value, &bits, sizeof value);
+  return value;
 }
 
 }  // namespace
@@ -36,27 +44,29 @@ void SizeClasses::bin_radii(const double *radii, size_t count) {
   end_.require(kBins);
   count_ = 0;
   if (count == 0) return;
-  double least = radii[0], greatest = radii[0];
-  for (size_t i = 0; i < count; i++) {
-    least = radii[i] < least ? radii[i] : least;
-    greatest = radii[i] > greatest ? radii[i] : greatest;
-  }
+  Extremes extremes;
+  column_extremes<1>(radii, count, &extremes);
+  const uint64_t last = ordered_bits(extremes.greatest);
   int shift = 0;
-  while ((ordered_bits(greatest) >> shift) - (ordered_bits(least) >> shift) >= kBins) shift++;
-  const uint64_t first = ordered_bits(least) >> shift;
+  while ((last >> shift) - (ordered_bits(extremes.least) >> shift) >= kBins) shift++;
+  const uint64_t first = ordered_bits(extremes.least) >> shift;
 
-  std::fill(radius_.data(), radius_.data() + kBins, -1.0);
-  std::fill(end_.data(), end_.data() + kBins, 0);
-  for (size_t i = 0; i < count; i++) {
-    const size_t bin = static_cast<size_t>((ordered_bits(radii[i]) >> shift) - first);
-    end_[bin]++;
-    radius_[bin] = radii[i] > radius_[bin] ? radii[i] : radius_[bin];
+  // Neighbours in memory often share a bin; two tables keep their increments apart.
+  uint32_t even[kBins] = {}, odd[kBins] = {};
+  size_t i = 0;
+  for (; i + 1 < count; i += 2) {
+    even[(ordered_bits(radii[i]) >> shift) - first]++;
+    odd[(ordered_bits(radii[i + 1]) >> shift) - first]++;
   }
+  if (i < count) even[(ordered_bits(radii[i]) >> shift) - first]++;
+
   int64_t so_far = 0;
-  for (size_t bin = 0; bin < kBins; bin++) {
-    if (end_[bin] == 0) continue;
-    so_far += end_[bin];
-    radius_[count_] = radius_[bin];
+  for (uint64_t bin = 0; bin < kBins; bin++) {
+    const int64_t here = static_cast<int64_t>(even[bin]) + odd[bin];
+    if (here == 0) continue;
+    so_far += here;
+    const uint64_t greatest_in_bin = ((first + bin + 1) << shift) - 1;
+    radius_[count_] = from_bits(greatest_in_bin < last ? greatest_in_bin : last);
     end_[count_++] = so_far;
   }
 }

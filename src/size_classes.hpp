@@ -20,6 +20,7 @@ class SizeClasses {
   void bin_radii(const double *radii, size_t count);
 
   size_t count() const { return count_; }
+  // No radius of the class is above this, none of the next class is at or below it.
   double largest_radius(size_t c) const { return radius_[c]; }
   // Particles in the classes [first, c].
   int64_t particles(size_t first, size_t c) const { return end_[c] - (first == 0 ? 0 : end_[first - 1]); }
@@ -27,7 +28,7 @@ class SizeClasses {
   static constexpr size_t kBins = 1024;
 
  private:
-  Buffer<double> radius_;  // largest radius of the class
+  Buffer<double> radius_;  // upper end of the class
   Buffer<int64_t> end_;    // particles in this class and all smaller ones
   size_t count_ = 0;
 };

@@ -25,9 +25,9 @@ SparseLevel SparseRows::add_level(const ParticleStore &store, const Domain &doma
   order_.require(count);
   for (uint32_t i = 0; i < count; i++) {
     const double *center = store.center(slots[i]);
-    order_[i].x = domain.wrapped(0, center[0]);
-    order_[i].y = level.row_of(1, domain.wrapped(1, center[1]));
-    order_[i].z = domain.dimension == 3 ? level.row_of(2, domain.wrapped(2, center[2])) : 0;
+    order_[i].x = domain.position(0, center[0]);
+    order_[i].y = level.row_of(1, domain.position(1, center[1]));
+    order_[i].z = domain.dimension == 3 ? level.row_of(2, domain.position(2, center[2])) : 0;
     order_[i].slot = slots[i];
   }
   std::sort(order_.data(), order_.data() + count, [](const Key &a, const Key &b) {

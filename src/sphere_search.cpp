@@ -43,12 +43,15 @@ class SphereSearch {
     const double reach = index_.interaction.reach(sphere_.radius, level.largest_radius) * (1.0 + 0x1p-50);
     double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
     for (int k = 0; k < domain.dimension; k++) {
-      const double x =
-          domain.wrapped(k, sphere_.center[k]) + image_step(image, k) * domain.length[k] * (domain.periodic[k] ? 1 : 0);
-      const double slack = domain.periodic[k] ? 0x1p-30 * domain.length[k] : 0;
+      double x = domain.position(k, sphere_.center[k]);
+      double slack = 0;
+      if (domain.periodic[k]) {
+        x += image_step(image, k) * domain.length[k];
+        slack = 0x1p-28 * domain.length[k];
+      }
       low[k] = x - (reach + slack);
       high[k] = x + (reach + slack);
-      if (domain.periodic[k] && (high[k] < domain.box_min[k] || low[k] > domain.box_max[k])) return;
+      if (domain.periodic[k] && (high[k] < 0 || low[k] > domain.length[k])) return;
     }
     if (level.sparse) {
       index_.sparse.visit_box(level.rows, domain.dimension, low, high, [&](uint32_t begin, uint32_t end) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kernel_sets.hpp"
 #include "lanes_avx512.hpp"
-#include "search.hpp"
+#include "make_kernels.hpp"
 
 namespace hg {
 

@@ -12,15 +12,15 @@
 namespace hg {
 
 // Lengths here are in quanta (frame.hpp). What a window must allow for: coordinates are floored (1), wrapped and
-// shifted across the box (1.25), converted to float (64 each) and compared with row borders computed in float (256).
+// shifted across the box (2.5), converted to float (64 each) and compared with row borders computed in float (256).
 // docs/exactness.md adds this up.
 inline constexpr float kWindowSlack = 1024.0f;
 inline constexpr float kWindowScale = 1.0f + 0x1p-20f;
 
 // |t - (d^2 - R^2)| < R * (kBandLinear + kBandSquare * R) + kBandConstant wherever the sign of t could be wrong.
-inline constexpr float kBandLinear = 8.0f;
+inline constexpr float kBandLinear = 13.0f;
 inline constexpr float kBandSquare = 0x1p-19f;
-inline constexpr float kBandConstant = 16.0f;
+inline constexpr float kBandConstant = 40.0f;
 
 // Kernels read and write this many elements beyond the end of arrays, ignoring what they read there.
 inline constexpr size_t kPadding = 16;
@@ -58,6 +58,7 @@ struct PairSink {
   int64_t undecided_count;
   int64_t exact_count;
   bool accept_undecided;  // HG_FLOAT
+  float band_constant;    // kBandConstant, or infinity to have every candidate decided
 };
 
 // Candidates are handed on in pieces of at most this many, so that a sink needs room for no more at once.
@@ -72,10 +73,41 @@ struct SearchKernel {
                       const PointArrays &particles, PairSink *sink);
 };
 
+// What building needs to know of a level: rows are numbered row_base + z * count_y + y. A level without a table of
+// cells has zero inverse widths and a single row.
+struct KeyLevel {
+  double radius_limit;
+  float inverse_y, last_y, inverse_z, last_z;
+  uint32_t count_y, row_base;
+};
+
+struct KeyInput {
+  const double *centers, *radii;
+  double scale, half_origin[3], top;  // of the frame; top: the greatest coordinate
+  double box_min[3], length[3];       // length 0 on open axes
+  double extra_radius;                // makes a radius a folded one
+  int level_count;
+  const KeyLevel *levels;
+};
+
+struct Record {
+  int32_t x, y, z;
+  float radius;
+};
+
+struct KeyOutput {
+  Record *records;  // one for each particle, in their own order
+  uint32_t *row_of;
+  uint32_t *row_count;  // counted up
+};
+
+using KeyKernel = void(const KeyInput &input, size_t begin, size_t end, KeyOutput &output);
+
 // Kernels of one instruction set, by dimension - 2 and interaction.
 struct KernelSet {
   const char *name;
   SearchKernel search[2][2];
+  KeyKernel *keys[2];
 };
 
 }  // namespace hg

@@ -9,6 +9,10 @@
 
 #include "kernel.hpp"
 
+#include <cfloat>
+
+static_assert(FLT_EVAL_METHOD == 0, "extended precision would make cells and pairs depend on the compiler");
+
 namespace hg {
 namespace {
 
@@ -255,8 +259,8 @@ class Search {
       }
       const F reach = reach_of(radius, V::load(particles_.radius + j));
       const F t = V::sub(d2, V::mul(reach, reach));
-      const F band =
-          V::add(V::mul(reach, V::add(V::mul(reach, V::set(kBandSquare)), V::set(kBandLinear))), V::set(kBandConstant));
+      const F band = V::add(V::mul(reach, V::add(V::mul(reach, V::set(kBandSquare)), V::set(kBandLinear))),
+                            V::set(sink_->band_constant));
       const uint32_t here = lanes_before(end - j);
       uint32_t found = V::bits(V::less(t, band)) & here;
       const uint32_t sure = V::bits(V::less(V::add(t, band), V::set(0.0f))) & here;
@@ -303,13 +307,6 @@ bool cross_level(const PointArrays &points, uint32_t begin, uint32_t end, const 
 template <class V, int D, bool MaxRange>
 constexpr SearchKernel make_search() {
   return {own_level<V, D, MaxRange>, cross_level<V, D, MaxRange>};
-}
-
-template <class V>
-constexpr KernelSet make_kernels(const char *name) {
-  return {name,
-          {{make_search<V, 2, false>(), make_search<V, 2, true>()},
-           {make_search<V, 3, false>(), make_search<V, 3, true>()}}};
 }
 
 }  // namespace

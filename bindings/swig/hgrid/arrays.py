@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Arrays in: any numeric type, order and stride, as contiguous arrays of the library's types. Arrays out: copies."""
+
+import numpy as np
+
+from .errors import ArgumentError, NotFoundError
+
+_ID_RANGE = np.iinfo(np.int32)
+
+
+def _shape_text(shape):
+    return "(" + ", ".join(str(extent) for extent in shape) + (",)" if len(shape) == 1 else ")")
+
+
+def check_shape(array, name, shape):
+    """Refuses an array unless its shape is `shape`, in which a string stands for any extent."""
+    extents = zip(shape, array.shape)
+    if array.ndim != len(shape) or not all(isinstance(wanted, str) or wanted == has for wanted, has in extents):
+        raise ArgumentError(f"{name} must have shape {_shape_text(shape)}, not {_shape_text(array.shape)}")
+
+
+def reals(values, name, shape):
+    """`values` as a contiguous float64 array of that shape; copied only if it is not one already."""
+    array = np.asarray(values)
+    check_shape(array, name, shape)
+    if not np.can_cast(array.dtype, np.float64, casting="same_kind"):
+        raise TypeError(f"{name} must hold real numbers, not {array.dtype}")
+    return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
+
+
+def ids(values, name):
+    """`values` as a contiguous int32 array of shape (n,)."""
+    array = np.asarray(values)
+    check_shape(array, name, ("n",))
+    if array.size == 0:
+        return np.empty(0, dtype=np.int32)
+    if array.dtype.kind not in "iu":
+        raise TypeError(f"{name} must hold integers, not {array.dtype}")
+    outside = np.flatnonzero((array < _ID_RANGE.min) | (array > _ID_RANGE.max))
+    if outside.size > 0:
+        k = outside[0]
+        raise NotFoundError(f"{name}[{k}] = {array[k]}: no particle has that id")
+    return np.require(array, np.int32, ["C_CONTIGUOUS", "ALIGNED"])
+
+
+def copy_out(view, dtype):
+    """A numpy array of its own from a view of the library's memory, which is given back at once."""
+    with view:
+        return np.frombuffer(view, dtype=dtype).copy() if view.nbytes > 0 else np.empty(0, dtype=dtype)
+
+
+def copy_pairs(view):
+    """As copy_out, for pairs: int32 of shape (m, 2)."""
+    return copy_out(view, np.int32).reshape(-1, 2)

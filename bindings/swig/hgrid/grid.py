@@ -1,0 +1,240 @@
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The class Grid: a set of particles and the search for pairs among them."""
+
+import operator
+import threading
+
+import numpy as np
+
+from . import arrays, capi
+from .errors import ArgumentError, StateError
+from .records import Level, LevelCost, Stats, record
+
+_INTERACTIONS = {"contact": capi.HG_CONTACT, "max_range": capi.HG_MAX_RANGE}
+_ACCURACIES = {"exact": capi.HG_EXACT, "double": capi.HG_DOUBLE, "float": capi.HG_FLOAT}
+_ORDERS = {"grid": capi.HG_ORDER_GRID, "id": capi.HG_ORDER_ID}
+_LEVEL_RULES = {"auto": capi.HG_LEVELS_AUTO, "paper": capi.HG_LEVELS_PAPER, "user": capi.HG_LEVELS_USER}
+
+
+def _choice(name, value, words):
+    """The constant for a word; a number passes through and is judged by the library."""
+    if not isinstance(value, str):
+        return operator.index(value)
+    if value not in words:
+        raise ArgumentError(f"{name} is {value!r}; it must be one of {', '.join(map(repr, words))}")
+    return words[value]
+
+
+def _set_box(definition, dimension, periodic, box):
+    """Fills the three axes of the definition; those that the dimension lacks stay open and without extent."""
+    unused = [0.0] * (3 - dimension)
+    if periodic is not None:
+        flags = np.asarray(periodic)
+        arrays.check_shape(flags, "periodic", (dimension,))
+        if flags.dtype.kind not in "biu":
+            raise TypeError(f"periodic must hold truth values, not {flags.dtype}")
+        definition.periodic = [float(bool(flag)) for flag in flags] + unused
+    if box is not None:
+        corners = arrays.reals(box, "box", (2, dimension))
+        definition.box_min = corners[0].tolist() + unused
+        definition.box_max = corners[1].tolist() + unused
+
+
+class Grid:
+    """A set of particles (discs or spheres) and the search for pairs among them.
+
+    dimension: 2 or 3. All other arguments go by name:
+
+    periodic: one truth value per axis; a periodic axis needs `box`.
+    box: the corners ((x, y, z), (x, y, z)), lowest first. On open axes particles may lie anywhere.
+    thread_count: 0 for all that the machine offers, 1 for serial.
+    index_base: id of the first particle, 0 or 1.
+    interaction: 'contact', |xi - xj| < ri + rj + margin, or 'max_range', |xi - xj| < max(ri, rj) + margin.
+    accuracy: 'exact', as real arithmetic on the doubles given; 'double', as the plain expression in doubles;
+        'float', which never misses a pair but adds some that all but touch.
+    order: of the pairs: 'grid', as found, or 'id', ascending. Both are reproducible.
+    levels: how cell sizes are chosen: 'auto', 'paper' or 'user'; by default 'user' with cell_sizes, else 'auto'.
+    level_count: at most that many levels; 0 for the cheapest.
+    cell_sizes: for levels='user': ascending cell edges, the last at least the largest diameter plus margin.
+    margin: added to every reach, in your unit of length.
+    skin: how far particles may move before stored candidates are searched anew; it changes the time, never the answer.
+    cell_overhead: cost of visiting a cell over the cost of testing a particle; negative for the rule's own.
+
+    Instead of the words the constants HG_... may be given. Ids count from index_base in the order of insertion and are
+    not given out again before clear(). The comparison is strict: particles that just touch are no pair.
+
+    Arrays may have any real type, order and strides. They are copied in, and results are copies that belong to you:
+    they stay as they are whatever happens to the grid.
+
+    A grid may be used from several threads: calls on one grid wait for each other, those on different grids do not.
+    build, query_pairs, query_neighbors, visit_pairs, levels and level_costs run without the interpreter's global lock.
+
+    A grid is its own context manager: leaving the block closes it.
+    """
+
+    def __init__(
+        self,
+        dimension=3,
+        *,
+        periodic=None,
+        box=None,
+        thread_count=0,
+        index_base=0,
+        interaction="contact",
+        accuracy="exact",
+        order="grid",
+        levels=None,
+        level_count=0,
+        cell_sizes=None,
+        margin=0.0,
+        skin=0.0,
+        cell_overhead=-1.0,
+    ):
+        """Creates an empty grid; the arguments are explained at the class."""
+        self._lock = threading.RLock()
+        self._visiting = False
+        self._handle = None
+        self._dimension = operator.index(dimension)
+        if self._dimension not in (2, 3):
+            raise ArgumentError(f"dimension is {self._dimension}; it must be 2 or 3")
+        if levels is None:
+            levels = "auto" if cell_sizes is None else "user"
+        definition = capi.hg_grid_def()
+        definition.dimension = self._dimension
+        definition.thread_count = operator.index(thread_count)
+        definition.index_base = operator.index(index_base)
+        definition.interaction = _choice("interaction", interaction, _INTERACTIONS)
+        definition.accuracy = _choice("accuracy", accuracy, _ACCURACIES)
+        definition.pair_order = _choice("order", order, _ORDERS)
+        definition.level_rule = _choice("levels", levels, _LEVEL_RULES)
+        definition.level_count = operator.index(level_count)
+        definition.margin = float(margin)
+        definition.skin = float(skin)
+        definition.cell_overhead = float(cell_overhead)
+        _set_box(definition, self._dimension, periodic, box)
+        sizes = arrays.reals([] if cell_sizes is None else cell_sizes, "cell_sizes", ("level_count",))
+        if sizes.size > 0 and definition.level_rule != capi.HG_LEVELS_USER:
+            raise ArgumentError("cell_sizes are given, but levels is not 'user'")
+        if sizes.size > 0 and definition.level_count not in (0, sizes.size):
+            raise ArgumentError(f"level_count is {definition.level_count}, but {sizes.size} cell_sizes are given")
+        self._handle = capi.hg_make(definition, sizes)
+
+    def _open(self):
+        if self._handle is None:
+            raise StateError("the grid is closed")
+        return self._handle
+
+    def __reduce__(self):
+        raise TypeError("a Grid can be neither copied nor pickled")
+
+    @property
+    def dimension(self):
+        """2 or 3."""
+        return self._dimension
+
+    @property
+    def closed(self):
+        """Whether close() has been called."""
+        return self._handle is None
+
+    def close(self):
+        """Frees the grid; every later call on it but close() raises StateError. Arrays it returned stay valid."""
+        with self._lock:
+            if self._visiting:
+                raise StateError("a grid cannot be closed from inside one of its own visitors")
+            self._handle = None
+
+    def __enter__(self):
+        self._open()
+        return self
+
+    def __exit__(self, *exception):
+        self.close()
+
+    def insert(self, x, r):
+        """Adds particles with centres x, shape (n, dimension), and radii r, shape (n,). All or nothing."""
+        centers = arrays.reals(x, "x", ("n", self._dimension))
+        radii = arrays.reals(r, "r", (len(centers),))
+        with self._lock:
+            capi.hg_insert(self._open(), centers, radii)
+
+    def move(self, x, r=None):
+        """Replaces the centres, and the radii if given, of all live particles in order of id. All or nothing."""
+        centers = arrays.reals(x, "x", ("n", self._dimension))
+        radii = None if r is None else arrays.reals(r, "r", (len(centers),))
+        with self._lock:
+            capi.hg_move(self._open(), centers, radii)
+
+    def remove(self, ids):
+        """Removes the particles with these ids, shape (n,). All or nothing; NotFoundError names an unknown id."""
+        wanted = arrays.ids(ids, "ids")
+        with self._lock:
+            capi.hg_remove(self._open(), wanted)
+
+    def clear(self):
+        """Removes all particles; ids start anew at index_base."""
+        with self._lock:
+            capi.hg_clear(self._open())
+
+    def build(self):
+        """Chooses the levels and sorts the particles into cells. Queries do so by themselves when they must."""
+        with self._lock:
+            capi.hg_build(self._open())
+
+    def query_pairs(self):
+        """All pairs, each once, as int32 of shape (m, 2): ids (a, b) with a < b, in the grid's order."""
+        with self._lock:
+            return arrays.copy_pairs(capi.hg_query_pairs(self._open()))
+
+    def visit_pairs(self, visit):
+        """Calls visit(pairs) with one batch after the other, int32 of shape (k, 2).
+
+        With order='grid' the pairs are never all in memory at once. A true answer ends the visit; an exception ends it
+        and passes on to the caller. Inside visit this grid refuses all calls with StateError.
+        """
+        if not callable(visit):
+            raise TypeError(f"visit must be callable, not {type(visit).__name__}")
+        with self._lock:
+            outer, self._visiting = self._visiting, True
+            try:
+                capi.hg_visit_pairs(self._open(), lambda batch: visit(arrays.copy_pairs(batch)))
+            finally:
+                self._visiting = outer
+
+    def query_neighbors(self, full=False):
+        """Neighbour lists (offsets, neighbors) in compressed rows, int64 of shape (n + 1,) and int32.
+
+        The neighbours of the k-th live particle in ascending id are neighbors[offsets[k]:offsets[k + 1]], ascending.
+        Every pair is listed once, in the row of its smaller id; with full=True it is listed in both rows.
+        """
+        with self._lock:
+            kind = capi.HG_FULL if full else capi.HG_HALF
+            offsets, neighbors = capi.hg_list_neighbors(self._open(), kind)
+            return arrays.copy_out(offsets, np.int64), arrays.copy_out(neighbors, np.int32)
+
+    def query_sphere(self, center, radius):
+        """Ids, ascending, of the particles that a sphere interacts with by the grid's own rule; int32 of shape (k,)."""
+        point = arrays.reals(center, "center", (self._dimension,))
+        with self._lock:
+            return arrays.copy_out(capi.hg_query_sphere(self._open(), point, float(radius)), np.int32)
+
+    @property
+    def levels(self):
+        """The levels of the grid, finest first, as a list of Level; builds the grid if it must be."""
+        with self._lock:
+            return [record(Level, struct) for struct in capi.hg_query_levels(self._open())]
+
+    @property
+    def level_costs(self):
+        """The predicted cost of each number of levels that the rule looked at, as a list of LevelCost."""
+        with self._lock:
+            return [record(LevelCost, struct) for struct in capi.hg_query_level_costs(self._open())]
+
+    @property
+    def stats(self):
+        """The counters of the grid, as Stats."""
+        with self._lock:
+            counters = capi.hg_grid_stats()
+            capi.hg_read_stats(self._open(), counters)
+            return record(Stats, counters)

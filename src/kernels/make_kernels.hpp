@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Puts the kernels of one instruction set together. Included once by the file of each instruction set.
+#pragma once
+
+#include "keys.hpp"
+#include "search.hpp"
+
+namespace hg {
+namespace {
+
+template <class V>
+constexpr KernelSet make_kernels(const char *name) {
+  return {name,
+          {{make_search<V, 2, false>(), make_search<V, 2, true>()},
+           {make_search<V, 3, false>(), make_search<V, 3, true>()}},
+          {make_keys<2>, make_keys<3>}};
+}
+
+}  // namespace
+}  // namespace hg

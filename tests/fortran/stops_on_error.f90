@@ -1,0 +1,42 @@
+! SPDX-FileCopyrightText: The libhgrid developers
+! SPDX-License-Identifier: BSD-3-Clause
+
+!> Fails on purpose without err, in the way that its argument names; error_stop.cmake expects the
+!> program to end there.
+program stops_on_error
+    use, intrinsic :: iso_c_binding, only: c_double
+    use hgrid, only: hg_default_grid_def, hg_grid, hg_grid_def
+    implicit none
+
+    character(len=16) :: way
+    type(hg_grid) :: grid, other
+    type(hg_grid) :: several(2), others(2)
+    type(hg_grid_def) :: def
+
+    call get_command_argument(1, way)
+    select case (way)
+    case ('library')
+        call grid%create()
+        call grid%insert(reshape([real(c_double) :: 1, 2, 3], [3, 1]), [-0.25_c_double])
+    case ('shape')
+        call grid%create()
+        call grid%insert(reshape([real(c_double) :: 1, 2], [2, 1]), [1.0_c_double])
+    case ('not_created')
+        call grid%clear()
+    case ('create')
+        def = hg_default_grid_def()
+        def%thread_count = -3
+        call grid%create(def)
+    case ('copy')
+        call grid%create()
+        other = grid
+    case ('copy_array')
+        call several(2)%create()
+        others = several
+    case ('copy_empty')
+        ! Nothing is owned, nothing can be freed twice: this one works.
+        other = grid
+        others = several
+    end select
+    print '(a)', 'reached the end'
+end program stops_on_error
