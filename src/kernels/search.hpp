@@ -244,30 +244,34 @@ class Search {
 
   // t = d^2 - R^2 in float: below -band the pair surely overlaps, from band on surely not.
   void test(uint32_t i, uint32_t begin, uint32_t end) {
+    // Locals, as the compiler must assume that writing pairs changes what members point to.
+    const PointArrays others = particles_;
     const I x = V::set(points_.x[i]), y = V::set(points_.y[i]), z = V::set(D == 3 ? points_.z[i] : 0);
-    const F radius = V::set(points_.radius[i]);
+    const F radius = V::set(points_.radius[i]), band_constant = V::set(sink_->band_constant);
     const uint32_t slot = points_.slot[i];
+    const int32_t offset = sink_->id_offset;
     hg_pair *next = sink_->next;
-    sink_->candidate_count += end - begin;
     for (uint32_t j = begin; j < end; j += kLanes) {
-      const F dx = V::to_float(V::sub(x, V::load(particles_.x + j)));
-      const F dy = V::to_float(V::sub(y, V::load(particles_.y + j)));
+      const F dx = V::to_float(V::sub(x, V::load(others.x + j)));
+      const F dy = V::to_float(V::sub(y, V::load(others.y + j)));
       F d2 = V::add(V::mul(dx, dx), V::mul(dy, dy));
       if constexpr (D == 3) {
-        const F dz = V::to_float(V::sub(z, V::load(particles_.z + j)));
+        const F dz = V::to_float(V::sub(z, V::load(others.z + j)));
         d2 = V::add(d2, V::mul(dz, dz));
       }
-      const F reach = reach_of(radius, V::load(particles_.radius + j));
+      const F reach = reach_of(radius, V::load(others.radius + j));
       const F t = V::sub(d2, V::mul(reach, reach));
-      const F band = V::add(V::mul(reach, V::add(V::mul(reach, V::set(kBandSquare)), V::set(kBandLinear))),
-                            V::set(sink_->band_constant));
+      const F band =
+          V::add(V::mul(reach, V::add(V::mul(reach, V::set(kBandSquare)), V::set(kBandLinear))), band_constant);
       const uint32_t here = lanes_before(end - j);
       uint32_t found = V::bits(V::less(t, band)) & here;
+      if (kLanes == 1 && found == 0) continue;
       const uint32_t sure = V::bits(V::less(V::add(t, band), V::set(0.0f))) & here;
       if (__builtin_expect(found != sure, 0)) found = settle(i, j, found, sure);
-      next = V::emit(next, slot, particles_.slot + j, found, sink_->id_offset);
+      next = V::emit(next, slot, others.slot + j, found, offset);
     }
     sink_->next = next;
+    sink_->candidate_count += end - begin;
   }
 
   static uint32_t lanes_before(uint32_t count) { return count >= kLanes ? (1u << kLanes) - 1u : (1u << count) - 1u; }
