@@ -111,6 +111,8 @@ Definition check_definition(const hg_grid_def &caller) {
   check_choice("interaction", def.interaction, HG_CONTACT, HG_MAX_RANGE);
   check_choice("accuracy", def.accuracy, HG_EXACT, HG_FLOAT);
   check_choice("pair_order", def.pair_order, HG_ORDER_GRID, HG_ORDER_ID);
+  check_choice("reserved0", def.reserved0, 0, 0);
+  check_choice("reserved1", def.reserved1, 0, 0);
   check_length("margin", def.margin);
   check_length("skin", def.skin);
   if (std::isnan(def.cell_overhead) || std::isinf(def.cell_overhead)) {
@@ -119,6 +121,7 @@ Definition check_definition(const hg_grid_def &caller) {
 
   Definition checked;
   checked.dimension = def.dimension;
+  checked.thread_count = def.thread_count;
   checked.index_base = def.index_base;
   checked.accuracy = def.accuracy;
   checked.pair_order = def.pair_order;

@@ -12,6 +12,7 @@ namespace hg {
 
 struct Definition {
   int dimension = 3;
+  int thread_count = 0;
   int32_t index_base = 0;
   int32_t accuracy = HG_EXACT;
   int32_t pair_order = HG_ORDER_GRID;

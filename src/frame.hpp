@@ -4,6 +4,7 @@
 // memory of doubles, and what they cannot decide (docs/exactness.md) is decided on the doubles.
 #pragma once
 
+#include "bounds.hpp"
 #include "domain.hpp"
 
 #include <algorithm>
@@ -13,14 +14,6 @@
 namespace hg {
 
 inline constexpr double kFrameQuanta = 1073741824.0;  // 2^30, so that differences and periodic shifts fit in 32 bits
-
-// Extents of what is stored.
-struct Bounds {
-  double min[3] = {0, 0, 0};  // of the centres' positions (Domain::position): 0 and the length on periodic axes
-  double max[3] = {0, 0, 0};
-  double width[3] = {0, 0, 0};  // of the space that the particles themselves take; of the box where one is given
-  double max_radius = 0;
-};
 
 struct Frame {
   double scale = 1;                   // quanta per length: a power of two, so scaling rounds nothing

@@ -3,8 +3,8 @@
 #include "grid.hpp"
 
 #include "error.hpp"
-#include "pair_search.hpp"
-#include "pair_sinks.hpp"
+#include "pair_visit.hpp"
+#include "parallel.hpp"
 #include "sphere_search.hpp"
 
 #include <algorithm>
@@ -50,13 +50,14 @@ constexpr double kFittedPrecision = 1e-3;  // of m(L) for HG_LEVELS_AUTO, whose 
 
 Grid::Grid(const Definition &definition, const hg_allocator &allocator)
     : definition_(definition),
+      threads_(usable_threads(definition.thread_count)),
       memory_(allocator),
       store_(memory_, definition.domain, definition.interaction, definition.index_base, largest_diameter(definition)),
       overlap_(definition.interaction, definition.accuracy, definition.domain),
       classes_(memory_),
       scratch_(memory_),
       index_(memory_),
-      pairs_(memory_),
+      pairs_(memory_, threads_),
       order_(memory_),
       rows_{NeighborRows(memory_), NeighborRows(memory_)} {
   index_.interaction = definition.interaction;
@@ -104,9 +105,9 @@ void Grid::build() {
 void Grid::build_locked() {
   if (built_) return;
   store_.compact();
-  const Bounds bounds = bounds_of(store_, definition_.domain);
+  const Bounds bounds = bounds_of(store_, definition_.domain, threads_);
   plan_ = plan(bounds);
-  build_index(index_, scratch_, store_, bounds, plan_);
+  build_index(index_, scratch_, store_, bounds, plan_, threads_);
   describe_levels(mean_edge(bounds, definition_.dimension));
   stats_.build_count++;
   built_ = true;
@@ -145,10 +146,10 @@ void Grid::describe_levels(double edge) {
   }
 }
 
-void Grid::count_search(const PairSink &sink, size_t pairs) {
-  stats_.candidate_count = sink.candidate_count;
-  stats_.undecided_count = sink.undecided_count;
-  stats_.exact_count = sink.exact_count;
+void Grid::count_search(const SearchCounts &counts, size_t pairs) {
+  stats_.candidate_count = counts.candidates;
+  stats_.undecided_count = counts.undecided;
+  stats_.exact_count = counts.exact;
   stats_.pair_count = static_cast<int64_t>(pairs);
   stats_.search_count++;
 }
@@ -156,23 +157,22 @@ void Grid::count_search(const PairSink &sink, size_t pairs) {
 void Grid::find_pairs_locked() {
   build_locked();
   if (pairs_found_) return;
-  ListSink sink(pairs_, store_);
-  search_pairs(index_, store_, overlap_, sink);
-  pair_count_ = sink.count();
+  const SearchCounts counts = pairs_.search(index_, store_, overlap_);
   if (definition_.pair_order == HG_ORDER_ID) {
-    order_.build(pairs_.data(), pair_count_, store_.slots(), sink.id_offset, HG_HALF);
-    order_.write_pairs(pairs_.data(), store_.slots(), sink.id_offset);
+    const int32_t base = store_.contiguous() ? store_.id_offset() : 0;
+    order_.build(pairs_.data(), pairs_.count(), store_.slots(), base, HG_HALF);
+    order_.write_pairs(pairs_.data(), store_.slots(), base);
   }
-  to_ids(pairs_.data(), pair_count_, store_);
-  count_search(sink, pair_count_);
+  to_ids(pairs_.data(), pairs_.count(), store_);
+  count_search(counts, pairs_.count());
   pairs_found_ = true;
 }
 
 void Grid::query_pairs(const hg_pair **pairs, size_t *count) {
   const std::lock_guard lock(mutex_);
   find_pairs_locked();
-  *pairs = pair_count_ == 0 ? nullptr : pairs_.data();
-  *count = pair_count_;
+  *pairs = pairs_.count() == 0 ? nullptr : pairs_.data();
+  *count = pairs_.count();
 }
 
 void Grid::visit_pairs(hg_pair_visitor *visit, void *context) {
@@ -181,21 +181,17 @@ void Grid::visit_pairs(hg_pair_visitor *visit, void *context) {
     size_t count = 0;
     query_pairs(&pairs, &count);
     const VisitScope scope(this);
-    for (size_t first = 0; first < count; first += VisitSink::kBatch) {
-      if (visit(context, pairs + first, std::min(VisitSink::kBatch, count - first)) != 0) return;
-    }
+    visit_list(pairs, count, visit, context);
     return;
   }
   build();
-  Buffer<hg_pair> batch(memory_);
-  VisitSink sink(batch, store_, visit, context);
+  VisitResult result;
   {
     const VisitScope scope(this);
-    search_pairs(index_, store_, overlap_, sink);
-    sink.flush();
+    result = visit_search(index_, store_, overlap_, memory_, visit, context);
   }
   const std::lock_guard lock(mutex_);
-  count_search(sink, sink.visited());
+  count_search(result.counts, result.pairs);
 }
 
 void Grid::query_neighbors(int32_t list, const int64_t **offsets, const int32_t **neighbors) {
@@ -204,14 +200,15 @@ void Grid::query_neighbors(int32_t list, const int64_t **offsets, const int32_t 
   NeighborRows &rows = rows_[list];
   if (!rows_made_[list]) {
     if (store_.contiguous()) {
-      rows.build(pairs_.data(), pair_count_, store_.slots(), store_.id_offset(), list);
+      rows.build(pairs_.data(), pairs_.count(), store_.slots(), store_.id_offset(), list);
     } else {
       Buffer<hg_pair> by_slot(memory_);
-      by_slot.require(pair_count_);
-      for (size_t p = 0; p < pair_count_; p++) {
-        by_slot[p] = {static_cast<int32_t>(store_.find(pairs_[p].a)), static_cast<int32_t>(store_.find(pairs_[p].b))};
+      by_slot.require(pairs_.count());
+      for (size_t p = 0; p < pairs_.count(); p++) {
+        by_slot[p] = {static_cast<int32_t>(store_.find(pairs_.data()[p].a)),
+                      static_cast<int32_t>(store_.find(pairs_.data()[p].b))};
       }
-      rows.build(by_slot.data(), pair_count_, store_.slots(), 0, list);
+      rows.build(by_slot.data(), pairs_.count(), store_.slots(), 0, list);
       const auto count = static_cast<size_t>(rows.offsets()[store_.slots()]);
       for (size_t k = 0; k < count; k++) {
         rows.neighbors()[k] = store_.id(static_cast<size_t>(rows.neighbors()[k]));

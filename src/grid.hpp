@@ -9,6 +9,7 @@
 #include "memory.hpp"
 #include "neighbor_rows.hpp"
 #include "overlap.hpp"
+#include "pair_list.hpp"
 #include "particle_store.hpp"
 #include "size_classes.hpp"
 
@@ -48,10 +49,11 @@ class Grid {
   void find_pairs_locked();
   LevelPlan plan(const Bounds &bounds);
   void describe_levels(double edge);
-  void count_search(const struct PairSink &sink, size_t pairs);
+  void count_search(const SearchCounts &counts, size_t pairs);
   void changed();
 
   Definition definition_;
+  int threads_;
   Memory memory_;
   std::mutex mutex_;  // makes queries of several threads on one grid take turns where they store results
   ParticleStore store_;
@@ -63,8 +65,7 @@ class Grid {
   hg_level levels_[HG_MAX_LEVELS];
   bool built_ = false;
 
-  Buffer<hg_pair> pairs_;
-  size_t pair_count_ = 0;
+  PairList pairs_;
   bool pairs_found_ = false;
   NeighborRows order_;
   NeighborRows rows_[2];  // HG_HALF, HG_FULL

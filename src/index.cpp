@@ -7,6 +7,8 @@
 #include "images.hpp"
 #include "kernels/kernel_sets.hpp"
 #include "level_cells.hpp"
+#include "parallel.hpp"
+#include "search_tasks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +19,19 @@ namespace {
 
 constexpr double kMaxCrowding = 8.0;  // others in a particle's own cell beyond which a widened table does not pay
 constexpr size_t kChunk = 4096;       // radii looked at level by level while they are in cache
+constexpr size_t kLeastPart = 8192;   // particles that are worth a thread
+constexpr size_t kRowTasks = 64;      // pieces into which the rows of a level are cut
 
 template <int D>
 class Builder {
  public:
-  Builder(Index &index, BuildScratch &scratch, const ParticleStore &store)
-      : index_(index), scratch_(scratch), store_(store), count_(store.slots()) {}
+  Builder(Index &index, BuildScratch &scratch, const ParticleStore &store, int threads)
+      : index_(index),
+        scratch_(scratch),
+        store_(store),
+        count_(store.slots()),
+        threads_(count_ < kWorthThreads ? 1 : threads),
+        parts_(std::min(static_cast<size_t>(threads_), count_ / kLeastPart + 1)) {}
 
   void run() {
     populate_levels();
@@ -104,32 +113,45 @@ class Builder {
     return input;
   }
 
-  // Counting sort by (level, row).
+  size_t part_begin(size_t part) const { return count_ * part / parts_; }
+
+  // Counting sort by (level, row), stable. Each part of the particles counts for itself.
   void scatter_into_rows() {
+    const size_t stride = rows_ + 1;
     scratch_.records.require(count_);
     scratch_.row_of.require(count_);
-    scratch_.row_begin.require(rows_ + 1);
+    scratch_.row_begin.require(stride * parts_);
     scratch_.sorted.require(count_ + kPadding);
     scratch_.sorted_slot.require(count_);
-    uint32_t *begin = scratch_.row_begin.data();
-    std::fill(begin, begin + rows_ + 1, 0u);
     KeyLevel levels[HG_MAX_LEVELS];
-    KeyOutput keys{scratch_.records.data(), scratch_.row_of.data(), begin};
-    active_kernels().keys[D - 2](key_input(levels), 0, count_, keys);
+    const KeyInput input = key_input(levels);
+    uint32_t *begin = scratch_.row_begin.data();
+    parallel_for(threads_, parts_, [&](size_t part, int) {
+      std::fill(begin + part * stride, begin + (part + 1) * stride, 0u);
+      KeyOutput keys{scratch_.records.data(), scratch_.row_of.data(), begin + part * stride};
+      active_kernels().keys[D - 2](input, part_begin(part), part_begin(part + 1), keys);
+    });
     uint32_t sum = 0;
     for (size_t row = 0; row <= rows_; row++) {
-      const uint32_t here = begin[row];
-      begin[row] = sum;
-      sum += here;
+      for (size_t part = 0; part < parts_; part++) {
+        const uint32_t here = begin[part * stride + row];
+        begin[part * stride + row] = sum;
+        sum += here;
+      }
     }
-    for (size_t slot = 0; slot < count_; slot++) {
+    parallel_for(threads_, parts_,
+                 [&](size_t part, int) { scatter(begin + part * stride, part_begin(part), part_begin(part + 1)); });
+    // The last part's begins have moved to where the next row begins.
+    std::memmove(begin + 1, begin + (parts_ - 1) * stride, rows_ * sizeof *begin);
+    begin[0] = 0;
+  }
+
+  void scatter(uint32_t *begin, size_t first, size_t last) {
+    for (size_t slot = first; slot < last; slot++) {
       const uint32_t at = begin[scratch_.row_of[slot]]++;
       scratch_.sorted[at] = scratch_.records[slot];
       scratch_.sorted_slot[at] = static_cast<uint32_t>(slot);
     }
-    // Each begin has moved to where the next row begins.
-    std::memmove(begin + 1, begin, rows_ * sizeof *begin);
-    begin[0] = 0;
   }
 
   void sort_level(int h) {
@@ -142,11 +164,13 @@ class Builder {
     const size_t rows = static_cast<size_t>(l.cells.count[1]) * static_cast<size_t>(l.cells.count[2]);
     uint32_t *cells = index_.cell_begin.data() + cell_base_[h];
     const uint32_t *row_begin = scratch_.row_begin.data() + row_base_[h];
-    for (size_t row = 0; row < rows; row++) {
-      sort_row(l, row_begin[row], row_begin[row + 1], cells);
-      cells += l.cells.count[0];
-    }
-    *cells = l.end;
+    const auto row_cells = static_cast<size_t>(l.cells.count[0]);
+    parallel_for(threads_, kRowTasks, [&](size_t task, int) {
+      for (size_t row = rows * task / kRowTasks; row < rows * (task + 1) / kRowTasks; row++) {
+        sort_row(l, row_begin[row], row_begin[row + 1], cells + row * row_cells);
+      }
+    });
+    cells[rows * row_cells] = l.end;
   }
 
   // Counting sort of one row by cell; fills the row's part of the table.
@@ -157,8 +181,7 @@ class Builder {
       return;
     }
     std::fill(cells, cells + cell_count, 0u);
-    scratch_.bucket.require(end - begin);
-    uint32_t *bucket = scratch_.bucket.data();
+    uint32_t *bucket = scratch_.row_of.data() + begin;  // no longer needed for rows
     const Record *row = scratch_.sorted.data() + begin;
     const float inverse = l.cells.inverse_width[0], last = static_cast<float>(l.cells.count[0]) - 0.5f;
     for (uint32_t i = 0; i < end - begin; i++) {
@@ -198,6 +221,8 @@ class Builder {
   BuildScratch &scratch_;
   const ParticleStore &store_;
   size_t count_;
+  int threads_;
+  size_t parts_;  // into which the particles are cut to count and to scatter them
   size_t rows_ = 0;
   size_t row_base_[HG_MAX_LEVELS] = {};
   size_t cell_base_[HG_MAX_LEVELS] = {};
@@ -217,30 +242,8 @@ void PointStore::require(size_t count, int dimension) {
   prepare(slot);
 }
 
-Bounds bounds_of(const ParticleStore &store, const Domain &domain) {
-  Bounds bounds;
-  const size_t count = store.slots();
-  if (count == 0) return bounds;
-  Extremes axis[3] = {}, radius;
-  if (domain.dimension == 2) {
-    column_extremes<2>(store.centers(), count, axis);
-  } else {
-    column_extremes<3>(store.centers(), count, axis);
-  }
-  column_extremes<1>(store.radii(), count, &radius);
-  bounds.max_radius = radius.greatest;
-  // Not the outermost surfaces, which one giant may set, but the outermost centres and a mean particle around them.
-  const double mean_diameter = 2 * (sum_of(store.radii(), count) / static_cast<double>(count));
-  for (int k = 0; k < domain.dimension; k++) {
-    bounds.min[k] = domain.periodic[k] ? 0 : axis[k].least;
-    bounds.max[k] = domain.periodic[k] ? domain.length[k] : axis[k].greatest;
-    bounds.width[k] = domain.length[k] > 0 ? domain.length[k] : axis[k].greatest - axis[k].least + mean_diameter;
-  }
-  return bounds;
-}
-
 void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store, const Bounds &bounds,
-                 const LevelPlan &plan) {
+                 const LevelPlan &plan, int threads) {
   const size_t count = store.slots();
   index.particles.require(count, index.domain.dimension);
   index.frame = Frame::over(bounds, index.domain, index.interaction.diameter(bounds.max_radius));
@@ -252,14 +255,16 @@ void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store
     index.levels[h] = IndexLevel{};
     index.levels[h].plan = plan.levels[h];
   }
+  index.task_count = 0;
   if (count == 0) return;
   if (index.domain.dimension == 2) {
-    Builder<2>(index, scratch, store).run();
+    Builder<2>(index, scratch, store, threads).run();
   } else {
-    Builder<3>(index, scratch, store).run();
+    Builder<3>(index, scratch, store, threads).run();
   }
   index.row_count += static_cast<int64_t>(index.sparse.rows());
   build_images(index);
+  list_tasks(index);
 }
 
 }  // namespace hg

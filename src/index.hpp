@@ -4,6 +4,7 @@
 // them.
 #pragma once
 
+#include "bounds.hpp"
 #include "frame.hpp"
 #include "kernels/kernel.hpp"
 #include "level_plan.hpp"
@@ -44,10 +45,19 @@ struct IndexLevel {
   SparseLevel rows{};  // if sparse
 };
 
+// A piece of the search: points [begin, end), particles of `level` or its images, against `target`, a level not
+// coarser.
+struct SearchTask {
+  int level, target;
+  bool images;
+  uint32_t begin, end;
+};
+
 // Read-only once built.
 class Index {
  public:
-  explicit Index(Memory &memory) : particles(memory), images(memory), sparse(memory), cell_begin(memory) {}
+  explicit Index(Memory &memory)
+      : particles(memory), images(memory), sparse(memory), cell_begin(memory), tasks(memory) {}
 
   Interaction interaction;
   Domain domain;
@@ -61,25 +71,23 @@ class Index {
   PointStore images;
   SparseRows sparse;
   Buffer<uint32_t> cell_begin;
+  Buffer<SearchTask> tasks;  // all of the search, in the order of its pairs
+  size_t task_count = 0;
 };
 
 // What building needs besides the index, kept between builds.
 struct BuildScratch {
   explicit BuildScratch(Memory &memory)
-      : records(memory), row_of(memory), row_begin(memory), sorted(memory), sorted_slot(memory), bucket(memory) {}
+      : records(memory), row_of(memory), row_begin(memory), sorted(memory), sorted_slot(memory) {}
   Buffer<Record> records;  // in slot order
   Buffer<uint32_t> row_of;
   Buffer<uint32_t> row_begin;
   Buffer<Record> sorted;  // by row
   Buffer<uint32_t> sorted_slot;
-  Buffer<uint32_t> bucket;  // cells of one row's particles
 };
-
-// The extents of what is stored.
-Bounds bounds_of(const ParticleStore &store, const Domain &domain);
 
 // Sorts the particles of the store (which has no gaps) into the levels of the plan. O(N) for dense levels.
 void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store, const Bounds &bounds,
-                 const LevelPlan &plan);
+                 const LevelPlan &plan, int threads);
 
 }  // namespace hg

@@ -47,6 +47,10 @@ class Buffer {
   ~Buffer() { memory_->release(data_, capacity_ * sizeof(T)); }
   Buffer(const Buffer &) = delete;
   Buffer &operator=(const Buffer &) = delete;
+  Buffer(Buffer &&other) noexcept
+      : memory_(other.memory_),
+        data_(std::exchange(other.data_, nullptr)),
+        capacity_(std::exchange(other.capacity_, 0)) {}
 
   T *data() { return data_; }
   const T *data() const { return data_; }

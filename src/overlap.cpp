@@ -54,7 +54,7 @@ bool Overlap::test(const Ball &a, const Ball &b, Image image, int64_t &exact) co
   if (s2 >= kSafeSquareMin && s2 <= kSafeSquareMax) {
     const double band = kRelativeError * (d2 + s2) + wrap_error;
     if (d2 + band < s2) return true;
-    if (!(d2 - band < s2)) return false;  // also where d2 overflowed
+    if (wrap_error <= DBL_MAX && !(d2 - band < s2)) return false;  // also where d2 overflowed
     if (accuracy_ == HG_FLOAT) return true;
   }
   exact++;

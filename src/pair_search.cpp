@@ -30,36 +30,29 @@ class Search {
         particles_(index.particles.arrays(false)),
         images_(index.images.arrays(true)) {}
 
-  void run() {
-    for (int h = 0; h < index_.level_count; h++) {
-      const IndexLevel &level = index_.levels[h];
-      if (level.begin == level.end) continue;
-      if (!own_level(level) || !cross_level(images_, level.image_begin, level.image_forward_end, level)) return;
-      for (int k = 0; k < h; k++) {
-        const IndexLevel &finer = index_.levels[k];
-        if (finer.begin == finer.end) continue;
-        if (!cross_level(particles_, level.begin, level.end, finer)) return;
-        if (!cross_level(images_, level.image_begin, level.image_end, finer)) return;
-      }
-    }
+  // False if the sink stopped.
+  bool run(const SearchTask &task) {
+    const IndexLevel &target = index_.levels[task.target];
+    if (task.images) return cross_level(images_, task.begin, task.end, target);
+    if (task.level != task.target) return cross_level(particles_, task.begin, task.end, target);
+    return own_level(task.begin, task.end, target);
   }
 
  private:
-  bool own_level(const IndexLevel &level) {
-    if (!level.sparse) return kernel_.own_level(particles_, level.begin, level.end, level.cells, &sink_);
-    SparseRows::Place place = index_.sparse.first_place(level.rows);
-    for (uint32_t i = level.begin; i < level.end; i++) {
+  bool own_level(uint32_t begin, uint32_t end, const IndexLevel &level) {
+    if (!level.sparse) return kernel_.own_level(particles_, begin, end, level.cells, &sink_);
+    SparseRows::Place place = index_.sparse.place_of(level.rows, begin);
+    for (uint32_t i = begin; i < end; i++) {
       const Window w = window(particles_, i, level);
       const bool go_on =
           index_.sparse.visit_after(level.rows, index_.domain.dimension, i, place, w.low, w.high,
-                                    [&](uint32_t begin, uint32_t end) { return test(particles_, i, begin, end); });
+                                    [&](uint32_t first, uint32_t last) { return test(particles_, i, first, last); });
       if (!go_on) return false;
     }
     return true;
   }
 
   bool cross_level(const PointArrays &points, uint32_t begin, uint32_t end, const IndexLevel &level) {
-    if (begin == end) return true;
     if (!level.sparse) return kernel_.cross_level(points, begin, end, level.cells, particles_, &sink_);
     for (uint32_t i = begin; i < end; i++) {
       const Window w = window(points, i, level);
@@ -128,13 +121,16 @@ bool plain_squares_are_clear(const Index &index, const Overlap &overlap) {
 
 }  // namespace
 
-void search_pairs(const Index &index, const ParticleStore &store, const Overlap &overlap, PairSink &sink) {
+void prepare_sink(PairSink &sink, const Index &index, const ParticleStore &store, const Overlap &overlap) {
   sink.decide = decide;
   sink.overlap = &overlap;
   sink.store = &store;
-  sink.accept_undecided = overlap.accuracy() == HG_FLOAT;
+  sink.id_offset = store.contiguous() ? store.id_offset() : 0;
   sink.band_constant = plain_squares_are_clear(index, overlap) ? kBandConstant : std::numeric_limits<float>::infinity();
-  Search(index, store, sink).run();
+}
+
+bool search_task(const SearchTask &task, const Index &index, const ParticleStore &store, PairSink &sink) {
+  return Search(index, store, sink).run(task);
 }
 
 }  // namespace hg

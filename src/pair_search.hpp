@@ -10,7 +10,10 @@
 
 namespace hg {
 
-// Sends all pairs, by slots plus sink.id_offset, to the sink. Returns when done or when the sink stops.
-void search_pairs(const Index &index, const ParticleStore &store, const Overlap &overlap, PairSink &sink);
+// Makes a sink ready for searches of this index: it gets slots, plus the id of slot 0 if ids have no gaps.
+void prepare_sink(PairSink &sink, const Index &index, const ParticleStore &store, const Overlap &overlap);
+
+// Sends the pairs of one task to the sink. False if the sink stopped.
+bool search_task(const SearchTask &task, const Index &index, const ParticleStore &store, PairSink &sink);
 
 }  // namespace hg

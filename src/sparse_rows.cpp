@@ -64,6 +64,15 @@ SparseLevel SparseRows::add_level(const ParticleStore &store, const Domain &doma
   return level;
 }
 
+SparseRows::Place SparseRows::place_of(const SparseLevel &level, uint32_t i) const {
+  const uint32_t *rows = row_begin_.data();
+  const uint32_t *row = std::upper_bound(rows + slab_row_[level.first_slab], rows + slab_row_[level.end_slab], i) - 1;
+  const auto row_index = static_cast<size_t>(row - rows);
+  const size_t *slabs = slab_row_.data();
+  const size_t *slab = std::upper_bound(slabs + level.first_slab, slabs + level.end_slab, row_index) - 1;
+  return {static_cast<size_t>(slab - slabs), row_index};
+}
+
 size_t SparseRows::lower_slab(const SparseLevel &level, int64_t z) const {
   const int64_t *first = slab_z_.data() + level.first_slab, *last = slab_z_.data() + level.end_slab;
   return static_cast<size_t>(std::lower_bound(first, last, z) - slab_z_.data());

@@ -51,11 +51,11 @@ class SparseRows {
     return true;
   }
 
-  // Where a particle of the level stands. Start at first_place() and go through the particles in ascending order.
+  // Where a particle of the level stands; moves on as visit_after is called for particles in ascending order.
   struct Place {
     size_t slab, row;
   };
-  Place first_place(const SparseLevel &level) const { return {level.first_slab, slab_row_[level.first_slab]}; }
+  Place place_of(const SparseLevel &level, uint32_t i) const;
 
   // As visit_box, for particle i of the level itself: only what comes after it in sorted order.
   template <class Visit>

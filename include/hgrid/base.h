@@ -55,8 +55,8 @@ HG_API void hg_version(int *major, int *minor, int *patch);
 /* Where a grid takes its memory from.
  *
  * `allocate` returns at least `size` bytes aligned as by malloc, or NULL; `reallocate` behaves like realloc and is told
- * the old size; `release` gets the size that was asked for. All three must be set; they may be called from any thread
- * that calls into the library. */
+ * the old size; `release` gets the size that was asked for. All three must be set, and safe to call from several
+ * threads at once. */
 typedef struct hg_allocator {
   void *context; /* handed back in every call; may be NULL */
   void *(*allocate)(void *context, size_t size);

@@ -67,7 +67,8 @@ typedef struct hg_grid_def {
                                range for HG_MAX_RANGE) plus margin; copied by hg_create (NULL) */
   double margin;            /* added to every reach, >= 0, caller's length unit (0) */
   double skin;              /* how far particles may move before stored candidates are searched anew, >= 0, length;
-                               0 = search always. It changes the time, never the answer (0) */
+                               0 = search always. It changes the time, never the answer; this version searches
+                               always (0) */
   int32_t periodic[3];      /* per axis: 0 open, 1 periodic (0, 0, 0) */
   int32_t reserved1;        /* 0 */
   double box_min[3];        /* periodic axes: the box, needed. Open axes: particles may lie anywhere; a box with */

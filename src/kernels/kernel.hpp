@@ -57,7 +57,6 @@ struct PairSink {
   int64_t candidate_count;
   int64_t undecided_count;
   int64_t exact_count;
-  bool accept_undecided;  // HG_FLOAT
   float band_constant;    // kBandConstant, or infinity to have every candidate decided
 };
 

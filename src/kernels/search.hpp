@@ -282,7 +282,6 @@ class Search {
     for (uint32_t open = found ^ sure; open != 0; open &= open - 1) {
       const auto lane = static_cast<uint32_t>(__builtin_ctz(open));
       sink_->undecided_count++;
-      if (sink_->accept_undecided) continue;
       if (!sink_->decide(sink_, points_.slot[i], particles_.slot[j + lane], image)) found &= ~(1u << lane);
     }
     return found;

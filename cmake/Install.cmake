@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
+# Install rules of the library, its headers, the Fortran module, the CMake package and the pkg-config files.
+# Nothing that is installed knows the prefix: the whole tree may be moved.
+include(CMakePackageConfigHelpers)
+
+foreach(dir IN ITEMS LIBDIR INCLUDEDIR DATADIR)
+  if(IS_ABSOLUTE "${CMAKE_INSTALL_${dir}}")
+    message(FATAL_ERROR "CMAKE_INSTALL_${dir} is ${CMAKE_INSTALL_${dir}}, but must be relative to the prefix")
+  endif()
+endforeach()
+
+set(HGRID_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/hgrid)
+set(HGRID_PKGCONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+install(TARGETS hgrid EXPORT hgridTargets)
+install(FILES include/hgrid/hgrid.h include/hgrid/base.h include/hgrid/types.h include/hgrid/grid.h
+              ${PROJECT_BINARY_DIR}/include/hgrid/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hgrid)
+install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/hgrid)
+install(EXPORT hgridTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR})
+
+if(TARGET hgrid_fortran)
+  include(cmake/InstallFortran.cmake)
+endif()
+
+get_target_property(HGRID_LIBRARY_TYPE hgrid TYPE)
+# Whoever links the static library must add the C++ runtime that the shared one brings along.
+set(HGRID_RUNTIME_LIBS "-lstdc++ -lm -pthread")
+if(HGRID_THREADS)
+  string(APPEND HGRID_RUNTIME_LIBS " -lgomp")
+endif()
+configure_package_config_file(cmake/hgridConfig.cmake.in cmake/hgridConfig.cmake INSTALL_DESTINATION
+                              ${HGRID_PACKAGE_DIR} NO_SET_AND_CHECK_MACRO)
+# Below 1.0 a new minor version may change the interface.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/hgridConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/cmake/hgridConfig.cmake ${PROJECT_BINARY_DIR}/cmake/hgridConfigVersion.cmake
+        DESTINATION ${HGRID_PACKAGE_DIR})
+
+if(HGRID_LIBRARY_TYPE STREQUAL "STATIC_LIBRARY")
+  set(HGRID_PC_LIBS "-lhgrid ${HGRID_RUNTIME_LIBS}")
+  set(HGRID_PC_PRIVATE_LIBS "")
+  set(HGRID_PC_CFLAGS "-DHGRID_STATIC")
+else()
+  set(HGRID_PC_LIBS "-lhgrid")
+  set(HGRID_PC_PRIVATE_LIBS "${HGRID_RUNTIME_LIBS}")
+  set(HGRID_PC_CFLAGS "")
+endif()
+file(RELATIVE_PATH HGRID_PC_TO_PREFIX /prefix/${HGRID_PKGCONFIG_DIR} /prefix)
+configure_file(cmake/hgrid.pc.in cmake/hgrid.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/cmake/hgrid.pc DESTINATION ${HGRID_PKGCONFIG_DIR})
+if(TARGET hgrid_fortran)
+  configure_file(cmake/hgrid-fortran.pc.in cmake/hgrid-fortran.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/cmake/hgrid-fortran.pc DESTINATION ${HGRID_PKGCONFIG_DIR})
+endif()
