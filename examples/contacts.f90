@@ -116,6 +116,7 @@ contains
             last = end_of_field(line, first)
             name = trim(adjustl(line(first:last)))
             k = 0
+            if (name == 'radius') name = 'r'
             if (len(name) == 1) k = index(wanted, name)
             if (k > 0 .and. any(meaning == k)) call fail(here//'two columns are named '//name)
             meaning = [meaning, k]

@@ -19,8 +19,7 @@ int main(void) {
     fprintf(stderr, "%s\n", hg_last_error());
     return 1;
   }
-  printf("%lu contacts\n", (unsigned long)count);
-  for (i = 0; i < count; i++) printf("%d %d\n", (int)pairs[i].a, (int)pairs[i].b);
+  for (i = 0; i < count; i++) printf("%d and %d overlap\n", (int)pairs[i].a, (int)pairs[i].b);
   hg_destroy(grid);
   return 0;
 }
