@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The commands of the program: each adds itself, its options and what it does to the parent.
+//
+// A command sets a callback on its own subcommand and reports failure by throwing app::Error (exit code 1) or, for
+// options that do not fit together, CLI::ValidationError (exit code 2).
+#ifndef APP_COMMAND_HPP
+#define APP_COMMAND_HPP
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+void add_pairs(CLI::App &parent);
+void add_levels(CLI::App &parent);
+void add_pack(CLI::App &parent);
+void add_bench(CLI::App &parent);
+void add_slice(CLI::App &parent);
+
+}  // namespace app
+
+#endif

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// `hgrid pack`: makes a packing of a size law and writes it to a particle file.
+#include "command.hpp"
+#include "error.hpp"
+#include "packing/packing.hpp"
+#include "particles/writer.hpp"
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace app {
+namespace {
+
+struct PackOptions {
+  packing::Request request;
+  std::string law = "uniform-volume";
+  std::optional<double> ratio;
+  std::optional<double> offset;
+  bool random_offset = false;
+  std::string periodic;
+  std::string output;
+  std::string format;
+};
+
+constexpr double kUsualRatio = 50;
+constexpr double kUsualRatioOfTwoSizes = 10;
+
+packing::Request request_of(const PackOptions &options) {
+  packing::Request request = options.request;
+  request.law.law = packing::law_from_name(options.law);
+  if (request.law.law == packing::Law::kMono) {
+    if (options.ratio.value_or(1) != 1) throw CLI::ValidationError("--ratio", "the law mono has one size only");
+    request.law.ratio = 1;
+  } else {
+    const bool two_sizes = request.law.law == packing::Law::kTwoSizes;
+    request.law.ratio = options.ratio.value_or(two_sizes ? kUsualRatioOfTwoSizes : kUsualRatio);
+  }
+  request.offset = options.offset.value_or(request.offset);
+  request.random_offset = options.random_offset;
+  for (const char axis : options.periodic) {
+    const std::size_t k = static_cast<std::size_t>(axis - 'x');
+    if (axis < 'x' || axis > 'z' || k >= static_cast<std::size_t>(request.law.dimension) || request.periodic[k]) {
+      throw CLI::ValidationError("--periodic",
+                                 "'" + options.periodic + "' does not name axes of this packing, each once");
+    }
+    request.periodic[k] = true;
+  }
+  return request;
+}
+
+Format format_of(const PackOptions &options) {
+  const std::optional<Format> format =
+      options.format.empty() ? format_of_name(options.output) : format_of_word(options.format);
+  if (!format) {
+    throw CLI::ValidationError("--output", "'" + options.output + "' has no ending that tells a format: add --format");
+  }
+  return *format;
+}
+
+// The file appears under its name only when it is complete.
+void write_whole(const std::string &path, Format format, const ParticleSet &particles) {
+  if (path == "-") return write_particles(path, format, particles);
+  const std::string partial = path + ".partial-" + std::to_string(getpid());
+  try {
+    write_particles(partial, format, particles);
+    std::filesystem::rename(partial, path);
+  } catch (const std::exception &error) {
+    std::error_code ignored;  // the first failure is the one to tell
+    std::filesystem::remove(partial, ignored);
+    throw Error(error.what());
+  }
+}
+
+class SweepLine {
+ public:
+  explicit SweepLine(int sweeps) : sweeps_(sweeps), terminal_(isatty(STDERR_FILENO) != 0) {}
+  ~SweepLine() {
+    if (terminal_) std::fputs("\r\033[K", stderr);
+  }
+  SweepLine(const SweepLine &) = delete;
+  SweepLine &operator=(const SweepLine &) = delete;
+
+  void show(int done, const packing::Overlaps &overlaps) const {
+    if (!terminal_) return;
+    std::fprintf(stderr, "\r\033[Ksweep %d of %d: %zu contacts, mean overlap %.2f %% of the smaller radius", done,
+                 sweeps_, overlaps.contacts, 100 * overlaps.mean);
+    std::fflush(stderr);
+  }
+
+ private:
+  int sweeps_;
+  bool terminal_;
+};
+
+void print_summary(const PackOptions &options, const packing::Packing &packing, double seconds) {
+  const ParticleSet &set = packing.particles;
+  const auto [smallest, largest] = std::minmax_element(set.radii.begin(), set.radii.end());
+  std::FILE *out = options.output == "-" ? stderr : stdout;
+  std::fprintf(out, "%s: %s, %zu %s, radii %.6g to %.6g, box edge %.9g, density %g\n", options.output.c_str(),
+               options.law.c_str(), set.count(), set.dimension == 2 ? "disks" : "spheres", *smallest, *largest,
+               set.box_max[0], options.request.density);
+  std::fprintf(out, "%zu contacts, overlap over the smaller radius: mean %.2g, largest %.2g; made in %.1f s\n",
+               packing.overlaps.contacts, packing.overlaps.mean, packing.overlaps.largest, seconds);
+}
+
+void run_pack(const PackOptions &options) {
+  const packing::Request request = request_of(options);
+  const Format format = format_of(options);
+  const auto start = std::chrono::steady_clock::now();
+  packing::Packing packing;
+  {
+    const SweepLine line(request.sweeps);
+    packing = packing::make_packing(
+        request, [&line](int done, const packing::Overlaps &overlaps) { line.show(done, overlaps); });
+  }
+  write_whole(options.output, format, packing.particles);
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  print_summary(options, packing, elapsed.count());
+}
+
+}  // namespace
+
+void add_pack(CLI::App &parent) {
+  auto options = std::make_shared<PackOptions>();
+  packing::Request &request = options->request;
+  CLI::App *command = parent.add_subcommand("pack", "Make a dense packing of spheres or disks of a size law");
+  command->add_option("--law", options->law, "mono, two-sizes, uniform-size or uniform-volume")
+      ->check(CLI::IsMember({"mono", "two-sizes", "uniform-size", "uniform-volume"}))
+      ->capture_default_str();
+  command->add_option("--count", request.count, "Number of particles")->capture_default_str();
+  command->add_option("--ratio", options->ratio, "Largest over smallest radius; the smallest is 1 (50; two-sizes: 10)");
+  command->add_option("--density", request.density, "Share of the box that the particles fill")->capture_default_str();
+  command->add_option("--seed", request.seed, "Same seed, same packing")->capture_default_str();
+  CLI::Option *offset =
+      command->add_option("--offset", options->offset,
+                          "Where in its share of the size law each radius is sampled, from 0 to below 1 (0.5)");
+  command->add_flag("--random-offset", options->random_offset, "Draw the offset from the seed")->excludes(offset);
+  command->add_option("--sweeps", request.sweeps, "Sweeps that push overlapping particles apart")
+      ->capture_default_str();
+  command->add_option("--dimension", request.law.dimension, "2 (disks) or 3 (spheres)")->capture_default_str();
+  command->add_option("--periodic", options->periodic, "Axes without walls, e.g. xy (none)");
+  command
+      ->add_option("-o,--output", options->output,
+                   "File to write, .csv, .lammpstrj, .dump, .xyz or .extxyz; - for standard output")
+      ->required();
+  command->add_option("--format", options->format, "csv, lammps or xyz (by the file's ending)")
+      ->check(CLI::IsMember({"csv", "lammps", "xyz"}));
+  command->callback([options] { run_pack(*options); });
+}
+
+}  // namespace app

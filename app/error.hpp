@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The one exception of the command: a text ready to be shown after "hgrid: ".
+#ifndef APP_ERROR_HPP
+#define APP_ERROR_HPP
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace app {
+
+class Error : public std::runtime_error {
+ public:
+  explicit Error(const std::string &message) : std::runtime_error(message) {}
+
+  // A fault in a file; line 0 means the file as a whole.
+  Error(const std::string &file, std::size_t line, const std::string &message)
+      : std::runtime_error(file + ":" + (line > 0 ? std::to_string(line) + ":" : "") + " " + message) {}
+};
+
+}  // namespace app
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Options of every command that searches: how the grid works.
+#ifndef APP_GRID_OPTIONS_HPP
+#define APP_GRID_OPTIONS_HPP
+
+#include "grid_handle.hpp"
+#include "particles/particle_set.hpp"
+
+#include <hgrid/hgrid.h>
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+struct GridOptions {
+  double margin = 0;
+  bool max_range = false;
+  std::string accuracy = "exact";  // exact, double, float
+  std::string order = "grid";      // id, grid
+  std::string levels = "auto";     // auto, paper
+  int level_count = 0;             // 0: the cheapest
+  std::string cell_sizes;          // ascending, with commas; set: `levels` does not count
+  double cell_overhead = -1;       // K of Eq. 7; negative: the rule's own
+  int index_base = 0;              // the id of the first particle
+  int threads = 0;                 // 0: all
+};
+
+// Adds --margin, --max-range, --accuracy, --order, --levels, --level-count, --cell-sizes, --cell-overhead, --threads.
+// `options` must outlive the parse.
+void add_grid_options(CLI::App &command, GridOptions &options);
+
+// A grid for these particles as the options say; dimension, box and periodic axes are theirs. `file` is named where the
+// library refuses them.
+Grid filled_grid(const GridOptions &options, const ParticleSet &particles, const std::string &file);
+
+}  // namespace app
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A packing from start to end: radii from a size law, random places, relaxation.
+#ifndef APP_PACKING_PACKING_HPP
+#define APP_PACKING_PACKING_HPP
+
+#include "packing/relaxation.hpp"
+#include "packing/size_law.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace packing {
+
+// The defaults are the paper's uniform-volume system.
+struct Request {
+  SizeLaw law;
+  std::size_t count = 125001;
+  double density = 0.62;  // volume (2D: area) of the particles over that of the box
+  std::uint64_t seed = 1;
+  double offset = 0.5;         // u of the systematic sampling, in [0, 1)
+  bool random_offset = false;  // u is drawn from the seed instead
+  int sweeps = 60;
+  std::array<bool, 3> periodic{};
+};
+
+struct Packing {
+  app::ParticleSet particles;  // in random order
+  Overlaps overlaps;
+};
+
+// Throws app::Error naming the value that cannot be: a density of 1, a box smaller than its largest particle ...
+void check_request(const Request &request);
+
+// Checks the request and makes the packing. The same request gives the same bytes on any machine.
+Packing make_packing(const Request &request, const SweepObserver &observe);
+
+}  // namespace packing
+
+#endif

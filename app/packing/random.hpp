@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The random numbers of packings: xoshiro256++ and mappings of our own, so that a seed means the same bytes everywhere
+// (the distributions of the standard library differ between implementations).
+#ifndef APP_PACKING_RANDOM_HPP
+#define APP_PACKING_RANDOM_HPP
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace packing {
+
+// xoshiro256++ 1.0 of Blackman and Vigna, its state filled from one seed by splitmix64 as they advise.
+class Random {
+ public:
+  using State = std::array<std::uint64_t, 4>;
+
+  explicit Random(std::uint64_t seed) {
+    for (std::uint64_t &word : state_) word = split_mix(seed);
+  }
+  explicit Random(const State &state) : state_(state) {}
+
+  std::uint64_t next() {
+    const std::uint64_t result = rotate(state_[0] + state_[3], 23) + state_[0];
+    const std::uint64_t shifted = state_[1] << 17;
+    state_[2] ^= state_[0];
+    state_[3] ^= state_[1];
+    state_[1] ^= state_[2];
+    state_[0] ^= state_[3];
+    state_[2] ^= shifted;
+    state_[3] = rotate(state_[3], 45);
+    return result;
+  }
+
+  // Uniform in [0, 1), a multiple of 2^-53.
+  double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+
+  // Uniform in 0 .. bound - 1, bound > 0. Numbers below 2^64 mod bound are drawn again, which leaves no bias.
+  std::uint64_t below(std::uint64_t bound) {
+    const std::uint64_t first_fair = (0 - bound) % bound;
+    for (;;) {
+      const std::uint64_t number = next();
+      if (number >= first_fair) return number % bound;
+    }
+  }
+
+ private:
+  static std::uint64_t rotate(std::uint64_t word, int bits) { return (word << bits) | (word >> (64 - bits)); }
+
+  static std::uint64_t split_mix(std::uint64_t &seed) {
+    seed += 0x9e3779b97f4a7c15u;
+    std::uint64_t z = seed;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+
+  State state_{};
+};
+
+// Fisher and Yates: every order equally likely.
+template <class T>
+void shuffle(std::vector<T> &items, Random &random) {
+  for (std::size_t left = items.size(); left > 1; --left) {
+    std::swap(items[left - 1], items[random.below(left)]);
+  }
+}
+
+}  // namespace packing
+
+#endif

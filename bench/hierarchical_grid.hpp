@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The hierarchical grid exactly as Ogarko & Luding 2012 (section 2) write it: a plain second opinion for the library.
+#ifndef BENCH_HIERARCHICAL_GRID_HPP
+#define BENCH_HIERARCHICAL_GRID_HPP
+
+#include "cell_array.hpp"
+
+#include <hgrid/types.h>
+
+#include <vector>
+
+namespace bench {
+
+// All overlapping pairs (ids from 0, a < b, in no order) of an open system. `cell_sizes` are the s_h of the levels,
+// ascending, the last at least the largest diameter. `tested` counts the candidates unless null.
+// Throws std::invalid_argument if a particle fits into no level.
+std::vector<hg_pair> hierarchical_grid_pairs(int dimension, const Particles &particles,
+                                             const std::vector<double> &cell_sizes, std::int64_t *tested);
+
+}  // namespace bench
+
+#endif

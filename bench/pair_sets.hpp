@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Comparing lists of pairs as sets.
+#ifndef BENCH_PAIR_SETS_HPP
+#define BENCH_PAIR_SETS_HPP
+
+#include "particles/particle_set.hpp"
+
+#include <hgrid/types.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <vector>
+
+namespace bench {
+
+inline bool before(const hg_pair &p, const hg_pair &q) { return p.a != q.a ? p.a < q.a : p.b < q.b; }
+
+inline std::vector<hg_pair> sorted(const hg_pair *pairs, std::size_t count) {
+  std::vector<hg_pair> result(pairs, pairs + count);
+  std::sort(result.begin(), result.end(), before);
+  return result;
+}
+
+// The pairs that are in one list but not as often in the other. Both lists must be sorted.
+inline std::vector<hg_pair> differences(const std::vector<hg_pair> &one, const std::vector<hg_pair> &other) {
+  std::vector<hg_pair> result;
+  std::set_symmetric_difference(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(result), before);
+  return result;
+}
+
+// Whether two particles touch within the rounding of the double predicate: then exact arithmetic may disagree with it.
+// Sum and squares carry a relative error below 8 * 2^-53; long double leaves room to judge that.
+inline bool touch_within_rounding(const app::ParticleSet &set, const hg_pair &pair) {
+  const std::size_t a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
+  const std::size_t d = static_cast<std::size_t>(set.dimension);
+  long double square = 0;
+  for (std::size_t k = 0; k < d; ++k) {
+    const long double difference = static_cast<long double>(set.centers[a * d + k]) - set.centers[b * d + k];
+    square += difference * difference;
+  }
+  const long double sum = static_cast<long double>(set.radii[a]) + set.radii[b];
+  return std::fabs(square - sum * sum) <= 8 * std::numeric_limits<double>::epsilon() * sum * sum;
+}
+
+}  // namespace bench
+
+#endif
