@@ -1,0 +1,151 @@
+/* SPDX-FileCopyrightText: The libhgrid developers
+ * SPDX-License-Identifier: BSD-3-Clause */
+
+/* hg_build: makes the grid ready, searches nothing, and repeats only after a change. */
+#include "failing_alloc.h"
+#include "fixture.h"
+
+#include <pthread.h>
+
+static hg_grid_stats stats_of(hg_grid *grid) {
+  hg_grid_stats stats;
+  assert_ok(hg_get_stats(grid, &stats, sizeof stats));
+  return stats;
+}
+
+static void builds_once_and_searches_nothing(void **state) {
+  hg_grid *grid = make_chain(NULL);
+  (void)state;
+  assert_int_equal(0, stats_of(grid).build_count);
+  assert_ok(hg_build(grid));
+  assert_int_equal(1, stats_of(grid).build_count);
+  assert_int_equal(0, stats_of(grid).search_count);
+  assert_ok(hg_build(grid));
+  assert_chain(grid, 0);
+  assert_int_equal(1, stats_of(grid).build_count);
+  assert_int_equal(1, stats_of(grid).search_count);
+  hg_destroy(grid);
+}
+
+static void a_change_asks_for_another(void **state) {
+  const int32_t last = CHAIN_COUNT - 1;
+  hg_grid *grid = make_chain(NULL);
+  (void)state;
+  assert_ok(hg_build(grid));
+  assert_ok(hg_remove(grid, 1, &last));
+  assert_ok(hg_build(grid));
+  assert_int_equal(2, stats_of(grid).build_count);
+  hg_destroy(grid);
+}
+
+static void empty_and_tiny_grids(void **state) {
+  const double center[3] = {1e300, -1e300, 5e-324}, radius = 0;
+  hg_grid *grid = make_empty(NULL);
+  (void)state;
+  assert_ok(hg_build(grid));
+  assert_int_equal(0, stats_of(grid).particle_count);
+  assert_ok(hg_insert(grid, 1, center, &radius));
+  assert_ok(hg_build(grid));
+  assert_int_equal(1, stats_of(grid).particle_count);
+  assert_pairs(grid, NULL, 0);
+  hg_destroy(grid);
+}
+
+static void null_is_refused(void **state) {
+  (void)state;
+  assert_status(HG_ERR_NULL, hg_build(NULL));
+}
+
+static void refused_inside_a_visitor(void **state) {
+  (void)state;
+  assert_refused_in_visitor(hg_build);
+}
+
+enum { READERS = 4, ROUNDS = 50 };
+
+typedef struct reader {
+  hg_grid *grid;
+  int wrong;
+} reader;
+
+static void *read_spheres(void *argument) {
+  reader *r = argument;
+  int round;
+  for (round = 0; round < ROUNDS; ++round) {
+    const double center[3] = {4, 0, 0};
+    const int32_t *ids;
+    size_t count;
+    if (hg_query_sphere(r->grid, center, 0.5, &ids, &count) != HG_OK || count != 3 || ids[0] != 3 || ids[2] != 5) {
+      ++r->wrong;
+    }
+  }
+  return NULL;
+}
+
+/* Reading calls need no lock of the caller once the grid is built. */
+static void several_threads_may_read(void **state) {
+  hg_grid *grid = make_chain(NULL);
+  pthread_t threads[READERS];
+  reader readers[READERS];
+  int k;
+  (void)state;
+  assert_ok(hg_build(grid));
+  for (k = 0; k < READERS; ++k) {
+    readers[k].grid = grid;
+    readers[k].wrong = 0;
+    assert_int_equal(0, pthread_create(&threads[k], NULL, read_spheres, &readers[k]));
+  }
+  for (k = 0; k < READERS; ++k) assert_int_equal(0, pthread_join(threads[k], NULL));
+  for (k = 0; k < READERS; ++k) assert_int_equal(0, readers[k].wrong);
+  hg_destroy(grid);
+}
+
+static void *read_pairs(void *argument) {
+  reader *r = argument;
+  int round;
+  for (round = 0; round < ROUNDS; ++round) {
+    const hg_pair *pairs;
+    size_t count;
+    if (hg_query_pairs(r->grid, &pairs, &count) != HG_OK || count != CHAIN_COUNT - 1) ++r->wrong;
+  }
+  return NULL;
+}
+
+static void several_threads_may_ask_for_pairs(void **state) {
+  hg_grid *grid = make_chain(NULL);
+  pthread_t threads[READERS];
+  reader readers[READERS];
+  int k;
+  (void)state;
+  assert_ok(hg_build(grid));
+  for (k = 0; k < READERS; ++k) {
+    readers[k].grid = grid;
+    readers[k].wrong = 0;
+    assert_int_equal(0, pthread_create(&threads[k], NULL, read_pairs, &readers[k]));
+  }
+  for (k = 0; k < READERS; ++k) assert_int_equal(0, pthread_join(threads[k], NULL));
+  for (k = 0; k < READERS; ++k) assert_int_equal(0, readers[k].wrong);
+  hg_destroy(grid);
+}
+
+static void prepare(hg_grid **grid) { *grid = make_chain(NULL); }
+static hg_status build(hg_grid **grid) { return hg_build(*grid); }
+static void still_a_chain(hg_grid *grid) { assert_chain(grid, 0); }
+
+static void no_memory(void **state) {
+  const alloc_scenario scenario = {prepare, build, NULL, still_a_chain};
+  (void)state;
+  assert_true(refuse_each_allocation(&scenario) > 0);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(builds_once_and_searches_nothing),
+                                     cmocka_unit_test(a_change_asks_for_another),
+                                     cmocka_unit_test(empty_and_tiny_grids),
+                                     cmocka_unit_test(null_is_refused),
+                                     cmocka_unit_test(refused_inside_a_visitor),
+                                     cmocka_unit_test(several_threads_may_read),
+                                     cmocka_unit_test(several_threads_may_ask_for_pairs),
+                                     cmocka_unit_test(no_memory)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

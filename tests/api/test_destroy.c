@@ -1,0 +1,52 @@
+/* SPDX-FileCopyrightText: The libhgrid developers
+ * SPDX-License-Identifier: BSD-3-Clause */
+
+/* hg_destroy: NULL, an empty grid, a grid with results, and a call from inside a visitor. */
+#include "failing_alloc.h"
+#include "fixture.h"
+
+#include <string.h>
+
+static void null_is_fine(void **state) {
+  (void)state;
+  hg_destroy(NULL);
+}
+
+static void frees_everything(void **state) {
+  const hg_pair *pairs;
+  hg_grid *empty, *full;
+  size_t count;
+  (void)state;
+  failing_alloc_install();
+  empty = make_empty(NULL);
+  full = make_chain(NULL);
+  assert_ok(hg_query_pairs(full, &pairs, &count));
+  assert_true(failing_alloc_books().live_blocks > 0);
+  hg_destroy(empty);
+  hg_destroy(full);
+  assert_int_equal(0, failing_alloc_books().live_blocks);
+  assert_int_equal(0, failing_alloc_books().live_bytes);
+  failing_alloc_remove();
+}
+
+static int32_t destroy_grid(void *context, const hg_pair *pairs, size_t count) {
+  (void)pairs;
+  (void)count;
+  hg_destroy(context);
+  return 0;
+}
+
+static void ignored_inside_a_visitor(void **state) {
+  hg_grid *grid = make_chain(NULL);
+  (void)state;
+  assert_ok(hg_visit_pairs(grid, destroy_grid, grid));
+  assert_true(strlen(hg_last_error()) > 0);
+  assert_chain(grid, 0);
+  hg_destroy(grid);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(null_is_fine), cmocka_unit_test(frees_everything),
+                                     cmocka_unit_test(ignored_inside_a_visitor)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,84 @@
+/* SPDX-FileCopyrightText: The libhgrid developers
+ * SPDX-License-Identifier: BSD-3-Clause */
+
+/* hg_grid_def_init and hg_default_grid_def: the defaults, and structs of other sizes. */
+#include "fixture.h"
+
+#include <string.h>
+
+static void assert_defaults(const hg_grid_def *def) {
+  int k;
+  assert_int_equal(sizeof(hg_grid_def), def->struct_size);
+  assert_int_equal(3, def->dimension);
+  assert_int_equal(0, def->thread_count);
+  assert_int_equal(0, def->index_base);
+  assert_int_equal(HG_CONTACT, def->interaction);
+  assert_int_equal(HG_EXACT, def->accuracy);
+  assert_int_equal(HG_ORDER_GRID, def->pair_order);
+  assert_int_equal(HG_LEVELS_AUTO, def->level_rule);
+  assert_int_equal(0, def->level_count);
+  assert_int_equal(0, def->reserved0);
+  assert_null(def->cell_sizes);
+  assert_true(def->margin == 0);
+  assert_true(def->skin == 0);
+  assert_int_equal(0, def->reserved1);
+  assert_true(def->cell_overhead < 0);
+  for (k = 0; k < 3; ++k) {
+    assert_int_equal(0, def->periodic[k]);
+    assert_true(def->box_min[k] == 0);
+    assert_true(def->box_max[k] == 0);
+  }
+}
+
+static void fills_the_defaults(void **state) {
+  hg_grid_def def;
+  (void)state;
+  memset(&def, 0xff, sizeof def);
+  assert_ok(hg_grid_def_init(&def, sizeof def));
+  assert_defaults(&def);
+}
+
+static void default_by_value_is_the_same(void **state) {
+  const hg_grid_def def = hg_default_grid_def();
+  (void)state;
+  assert_defaults(&def);
+}
+
+static void null_is_refused(void **state) {
+  (void)state;
+  assert_status(HG_ERR_NULL, hg_grid_def_init(NULL, sizeof(hg_grid_def)));
+  assert_true(strlen(hg_last_error()) > 0);
+}
+
+/* A caller with a newer header than the library, and one older than version 0.1, get an error and an untouched def. */
+static void other_sizes_are_refused(void **state) {
+  const size_t sizes[] = {0, 4, sizeof(hg_grid_def) - 8, sizeof(hg_grid_def) + 8, SIZE_MAX};
+  size_t k, byte;
+  (void)state;
+  for (k = 0; k < sizeof sizes / sizeof *sizes; ++k) {
+    hg_grid_def def;
+    memset(&def, 0x5a, sizeof def);
+    assert_status(HG_ERR_ARGUMENT, hg_grid_def_init(&def, sizes[k]));
+    for (byte = 0; byte < sizeof def; ++byte) assert_int_equal(0x5a, ((unsigned char *)&def)[byte]);
+  }
+}
+
+static void nothing_is_written_past_the_end(void **state) {
+  struct {
+    hg_grid_def def;
+    unsigned char guard[64];
+  } guarded;
+  size_t byte;
+  (void)state;
+  memset(&guarded, 0x5a, sizeof guarded);
+  assert_ok(hg_grid_def_init(&guarded.def, sizeof guarded.def));
+  for (byte = 0; byte < sizeof guarded.guard; ++byte) assert_int_equal(0x5a, guarded.guard[byte]);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(fills_the_defaults),
+                                     cmocka_unit_test(default_by_value_is_the_same), cmocka_unit_test(null_is_refused),
+                                     cmocka_unit_test(other_sizes_are_refused),
+                                     cmocka_unit_test(nothing_is_written_past_the_end)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,163 @@
+/* SPDX-FileCopyrightText: The libhgrid developers
+ * SPDX-License-Identifier: BSD-3-Clause */
+
+/* hg_query_sphere: the particles that a sphere meets, by the rule of the grid. */
+#include "failing_alloc.h"
+#include "fixture.h"
+
+/* The sphere at (x, 0, 0) meets the ids first .. last. */
+static void assert_range(hg_grid *grid, double x, double radius, int32_t first, int32_t last) {
+  double center[3] = {0, 0, 0};
+  const int32_t *ids;
+  size_t count, k;
+  center[0] = x;
+  assert_ok(hg_query_sphere(grid, center, radius, &ids, &count));
+  assert_int_equal(last - first + 1, count);
+  for (k = 0; k < count; ++k) assert_int_equal(first + (int32_t)k, ids[k]);
+}
+
+static void ids_ascend(void **state) {
+  hg_grid *grid = make_chain(NULL);
+  (void)state;
+  assert_range(grid, 4, 0, 4, 4);
+  assert_range(grid, 4.5, 0, 4, 5);
+  assert_range(grid, 4, 1, 3, 5);
+  assert_range(grid, 4, 100, 0, CHAIN_COUNT - 1);
+  assert_range(grid, 1e9, 1, 0, -1);
+  hg_destroy(grid);
+}
+
+static void touching_is_no_hit(void **state) {
+  const double centers[6] = {0, 0, 0, 4, 0, 0}, radii[2] = {1, 1};
+  hg_grid *grid = make_grid(NULL, 2, centers, radii);
+  (void)state;
+  assert_range(grid, 2, 1, 0, -1);
+  assert_range(grid, 1.9999999999999998, 1, 0, 0);
+  assert_range(grid, 1, 0, 0, -1);
+  hg_destroy(grid);
+}
+
+static void margin_and_max_range_count(void **state) {
+  const double centers[6] = {0, 0, 0, 4, 0, 0}, radii[2] = {1, 1};
+  hg_grid_def def = hg_default_grid_def();
+  hg_grid *grid;
+  (void)state;
+  def.margin = 0.5;
+  grid = make_grid(&def, 2, centers, radii);
+  assert_range(grid, 2, 0.5, 0, -1);
+  assert_range(grid, 2, 0.75, 0, 1);
+  hg_destroy(grid);
+  def.margin = 0;
+  def.interaction = HG_MAX_RANGE;
+  grid = make_grid(&def, 2, centers, radii);
+  assert_range(grid, 0.5, 0.25, 0, 0);
+  assert_range(grid, 2, 2, 0, -1);
+  assert_range(grid, 2, 2.5, 0, 1);
+  hg_destroy(grid);
+}
+
+static void nearest_image_counts(void **state) {
+  const double centers[6] = {0.25, 0, 0, 9, 0, 0}, radii[2] = {0.5, 0.5};
+  hg_grid_def def = hg_default_grid_def();
+  hg_grid *grid;
+  (void)state;
+  def.periodic[0] = 1;
+  def.box_max[0] = 10;
+  grid = make_grid(&def, 2, centers, radii);
+  assert_range(grid, 9.5, 0.5, 0, 1);
+  assert_range(grid, -0.5, 0.5, 0, 1);
+  assert_range(grid, 9.75, 0.25, 0, 0);
+  assert_range(grid, 10005, 0.25, 0, -1);
+  assert_range(grid, 10009, 0.25, 1, 1);
+  assert_range(grid, 5, 1000, 0, 1);
+  hg_destroy(grid);
+}
+
+static void two_dimensions(void **state) {
+  const double centers[4] = {0, 0, 3, 4}, radii[2] = {1, 1}, center[2] = {3, 5};
+  hg_grid_def def = hg_default_grid_def();
+  const int32_t *ids;
+  hg_grid *grid;
+  size_t count;
+  (void)state;
+  def.dimension = 2;
+  def.index_base = 1;
+  grid = make_grid(&def, 2, centers, radii);
+  assert_ok(hg_query_sphere(grid, center, 0.5, &ids, &count));
+  assert_int_equal(1, count);
+  assert_int_equal(2, ids[0]);
+  hg_destroy(grid);
+}
+
+static void empty_grid(void **state) {
+  hg_grid *grid = make_empty(NULL);
+  (void)state;
+  assert_range(grid, 0, 1e6, 0, -1);
+  hg_destroy(grid);
+}
+
+static void bad_arguments(void **state) {
+  hg_grid *grid = make_chain(NULL);
+  double center[3] = {0, 0, 0};
+  const int32_t *ids;
+  size_t count;
+  int axis;
+  (void)state;
+  assert_status(HG_ERR_NULL, hg_query_sphere(NULL, center, 1, &ids, &count));
+  assert_status(HG_ERR_NULL, hg_query_sphere(grid, NULL, 1, &ids, &count));
+  assert_status(HG_ERR_NULL, hg_query_sphere(grid, center, 1, NULL, &count));
+  assert_status(HG_ERR_NULL, hg_query_sphere(grid, center, 1, &ids, NULL));
+  assert_status(HG_ERR_ARGUMENT, hg_query_sphere(grid, center, -0.375, &ids, &count));
+  assert_error_names("-0.375");
+  assert_status(HG_ERR_ARGUMENT, hg_query_sphere(grid, center, not_a_number(), &ids, &count));
+  assert_status(HG_ERR_ARGUMENT, hg_query_sphere(grid, center, infinity(), &ids, &count));
+  for (axis = 0; axis < 3; ++axis) {
+    center[axis] = not_a_number();
+    assert_status(HG_ERR_ARGUMENT, hg_query_sphere(grid, center, 1, &ids, &count));
+    assert_error_names("nan");
+    center[axis] = -infinity();
+    assert_status(HG_ERR_ARGUMENT, hg_query_sphere(grid, center, 1, &ids, &count));
+    assert_error_names("-inf");
+    center[axis] = 0;
+  }
+  assert_chain(grid, 0);
+  hg_destroy(grid);
+}
+
+static hg_status query_again(hg_grid *grid) {
+  const double center[3] = {4, 0, 0};
+  const int32_t *ids;
+  size_t count;
+  return hg_query_sphere(grid, center, 1, &ids, &count);
+}
+
+static void refused_inside_a_visitor(void **state) {
+  (void)state;
+  assert_refused_in_visitor(query_again);
+}
+
+static void prepare(hg_grid **grid) { *grid = make_chain(NULL); }
+static hg_status query(hg_grid **grid) { return query_again(*grid); }
+static void right_answer(hg_grid *grid) {
+  assert_range(grid, 4, 1, 3, 5);
+  assert_chain(grid, 0);
+}
+
+static void no_memory(void **state) {
+  const alloc_scenario scenario = {prepare, query, NULL, right_answer};
+  (void)state;
+  assert_true(refuse_each_allocation(&scenario) > 0);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(ids_ascend),
+                                     cmocka_unit_test(touching_is_no_hit),
+                                     cmocka_unit_test(margin_and_max_range_count),
+                                     cmocka_unit_test(nearest_image_counts),
+                                     cmocka_unit_test(two_dimensions),
+                                     cmocka_unit_test(empty_grid),
+                                     cmocka_unit_test(bad_arguments),
+                                     cmocka_unit_test(refused_inside_a_visitor),
+                                     cmocka_unit_test(no_memory)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

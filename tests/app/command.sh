@@ -1,0 +1,213 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
+# The built command from end to end: command.sh HGRID VERSION. Counts come from closed forms of lattices and from a
+# search of all pairs in awk, on coordinates that are multiples of 1/64, where doubles are exact.
+set -u
+hgrid=$(realpath "$1")
+version=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+
+fault() {
+  echo "FAILED: $*" >&2
+  failures=$((failures + 1))
+}
+
+# equal WHAT FOUND EXPECTED
+equal() { [ "$2" = "$3" ] || fault "$1: found '$2', expected '$3'"; }
+
+# fails CODE TEXT ARGUMENT...: the command ends with this exit code, says TEXT on standard error, nothing on the other.
+fails() {
+  local code=$1 text=$2 found
+  shift 2
+  "$hgrid" "$@" >out.txt 2>err.txt
+  found=$?
+  equal "exit code of $*" "$found" "$code"
+  [ -s out.txt ] && fault "$*: standard output is not empty"
+  grep -qF -- "$text" err.txt || fault "$*: no '$text' in '$(cat err.txt)'"
+}
+
+contacts() { "$hgrid" pairs "$@" --count | awk '$1 == "contacts" && NF == 2 { print $2 }'; }
+
+# lattice M PARITY RADIUS: the points of an M x M x M block, all of them or those with an even sum of coordinates (fcc).
+lattice() {
+  awk -v m="$1" -v even="$2" -v r="$3" 'BEGIN {
+    print "x,y,z,radius"
+    for (i = 0; i < m; ++i) for (j = 0; j < m; ++j) for (k = 0; k < m; ++k)
+      if (!even || (i + j + k) % 2 == 0) print i "," j "," k "," r
+  }'
+}
+
+# scatter DIMENSION COUNT SEED: places and radii of very different sizes, multiples of 1/64.
+scatter() {
+  awk -v d="$1" -v n="$2" -v s="$3" '
+    function draw(limit) { s = (s * 16807) % 2147483647; return s % limit }
+    BEGIN {
+      print d == 3 ? "x,y,z,radius" : "x,y,radius"
+      for (k = 0; k < n; ++k) {
+        line = draw(640) / 64 "," draw(640) / 64
+        if (d == 3) line = line "," draw(640) / 64
+        print line "," (draw(20) == 0 ? draw(120) + 40 : draw(20) + 1) / 64
+      }
+    }'
+}
+
+# all_pairs FILE PERIODIC_LENGTH MARGIN: every pair of a file of scatter, sorted; length 0 means open.
+all_pairs() {
+  awk -F, -v box="$2" -v margin="$3" '
+    NR == 1 { d = NF - 1; next }
+    { for (c = 1; c <= d; ++c) x[NR - 2, c] = $c; r[NR - 2] = $NF; n = NR - 1 }
+    END {
+      for (a = 0; a < n; ++a) for (b = a + 1; b < n; ++b) {
+        square = 0
+        for (c = 1; c <= d; ++c) {
+          e = x[a, c] - x[b, c]; if (e < 0) e = -e
+          if (box > 0 && box - e < e) e = box - e
+          square += e * e
+        }
+        reach = r[a] + r[b] + margin
+        if (square < reach * reach) print a "," b
+      }
+    }' "$1" | sort
+}
+
+test_lattices() {
+  local m
+  for m in 4 8; do
+    lattice $m 1 0.71875 >fcc.csv
+    lattice $m 0 0.5 >cubic.csv
+    equal "open fcc $m" "$(contacts fcc.csv)" $((3 * m * (m - 1) * (m - 1)))
+    equal "periodic fcc $m" "$(contacts fcc.csv --box 0,0,0,$m,$m,$m --periodic xyz)" $((6 * m * m * m / 2))
+    equal "touching cubic $m" "$(contacts cubic.csv)" 0
+    equal "cubic $m with margin" "$(contacts cubic.csv --margin 0.25)" $((3 * m * m * (m - 1)))
+    equal "cubic $m, one axis periodic" "$(contacts cubic.csv --margin 0.25 --box 0,0,0,$m,$m,$m --periodic y)" \
+      $((2 * m * m * (m - 1) + m * m * m))
+  done
+  lattice 4 0 1.25 >cubic.csv
+  equal "maximal range" "$(contacts cubic.csv --max-range)" $((3 * 4 * 4 * 3))
+  equal "particles counted" "$("$hgrid" pairs fcc.csv --count | awk '$1 == "particles" { print $2 }')" 256
+  equal "contacts per particle" "$("$hgrid" pairs fcc.csv --count --box 0,0,0,8,8,8 --periodic xyz |
+    awk '$1 == "contacts" && $2 == "per" { print $4 }')" 12
+}
+
+test_scattered() {
+  local dimension seed=4711 options
+  for dimension in 2 3; do
+    scatter $dimension 400 $seed >set.csv
+    all_pairs set.csv 0 0 >expected.txt
+    [ "$(wc -l <expected.txt)" -gt 100 ] || fault "the set of seed $seed has too few contacts to tell anything"
+    for options in "" "--threads 1" "--levels paper" "--level-count 1" "--accuracy double" "--cell-sizes 0.5,6"; do
+      # shellcheck disable=SC2086
+      "$hgrid" pairs set.csv $options | tail -n +2 | sort >found.txt
+      cmp -s found.txt expected.txt || fault "${dimension}D, seed $seed, '$options': other pairs"
+    done
+    all_pairs set.csv 0 0.125 >expected.txt
+    "$hgrid" pairs set.csv --margin 0.125 | tail -n +2 | sort >found.txt
+    cmp -s found.txt expected.txt || fault "${dimension}D, seed $seed, with margin: other pairs"
+  done
+  all_pairs set.csv 10 0 >expected.txt
+  { echo "# box: 0 0 0 10 10 10 periodic 1 1 1" && cat set.csv; } >boxed.csv
+  "$hgrid" pairs boxed.csv | tail -n +2 | sort >found.txt
+  cmp -s found.txt expected.txt || fault "periodic, seed $seed: other pairs"
+  all_pairs set.csv 0 0 >expected.txt
+  "$hgrid" pairs boxed.csv --open --output found.csv || fault "pairs --output"
+  tail -n +2 found.csv | sort | cmp -s - expected.txt || fault "--open, seed $seed: other pairs"
+}
+
+test_output() {
+  printf 'x,y,z,r\n0,0,0,1\n1,0,0,1\n5,0,0,1\n1,1,0,1\n' >four.csv
+  equal "ids from 0" "$("$hgrid" pairs four.csv --order id)" "$(printf 'a,b\n0,1\n0,3\n1,3')"
+  equal "ids from 1" "$("$hgrid" pairs four.csv --order id --base 1)" "$(printf 'a,b\n1,2\n1,4\n2,4')"
+  equal "standard input" "$("$hgrid" pairs - --order id <four.csv)" "$(printf 'a,b\n0,1\n0,3\n1,3')"
+  equal "no particles" "$(printf 'x,y,z,r\n' | "$hgrid" pairs -)" "a,b"
+  printf '3\nProperties=pos:R:3:radius:R:1\n0 0 0 1\n1 0 0 1\n5 0 0 1\n' >three.xyz
+  equal "xyz" "$("$hgrid" pairs three.xyz)" "$(printf 'a,b\n0,1')"
+  printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 8\n0 8\n0 8\n' >two.dump
+  printf 'ITEM: ATOMS id xs ys zs diameter\n1 0.0625 0 0 2\n2 0.9375 0 0 2\n' >>two.dump
+  equal "dump across the box" "$("$hgrid" pairs two.dump)" "$(printf 'a,b\n0,1')"
+  equal "dump, open" "$("$hgrid" pairs two.dump --open)" "a,b"
+}
+
+test_levels() {
+  scatter 3 2000 99 >set.csv
+  "$hgrid" levels set.csv >levels.txt || fault "levels"
+  grep -q "2000 in 3 dimensions" levels.txt || fault "levels: the number of particles is missing"
+  equal "levels: chosen" "$(grep -c 'chosen' levels.txt)" 1
+  "$hgrid" levels set.csv --csv >levels.csv || fault "levels --csv"
+  equal "levels: particles on all levels" "$(awk -F, 'NR > 1 { n += $4 } END { print n }' levels.csv)" 2000
+  equal "levels: cells ascend and hold their particles" "$(awk -F, '
+    NR > 1 { if ($2 <= last || 2 * $3 > $2 || $1 != NR - 1) print "line " NR; last = $2 }' levels.csv)" ""
+  equal "levels: as many as the cost chosen" \
+    "$("$hgrid" levels set.csv --csv --costs | awk -F, '$5 == 1 { print $1 }')" "$(($(wc -l <levels.csv) - 1))"
+  equal "levels: the user's" "$("$hgrid" levels set.csv --cell-sizes 1,8 --csv | cut -d, -f2 | tr '\n' ' ')" \
+    "cell_size 1 8 "
+  equal "levels: one" "$("$hgrid" levels set.csv --levels paper --level-count 1 --csv | wc -l)" 2
+}
+
+test_failures() {
+  fails 2 "COMMAND --help"
+  fails 2 "'nosuch' is no command" nosuch
+  fails 2 "FILE" pairs
+  fails 2 "--margin: '-1' is negative" pairs four.csv --margin -1
+  fails 2 "--margin: 'nan' is not finite" pairs four.csv --margin nan
+  fails 2 "--frame: '0' is not a whole number" pairs four.csv --frame 0
+  fails 2 "--accuracy" pairs four.csv --accuracy roughly
+  fails 2 "--levels" pairs four.csv --levels auto --cell-sizes 4
+  fails 2 "--box: 'one' is not a number" pairs four.csv --box 0,0,0,1,1,one
+  fails 2 "--box: needs 6 numbers" pairs four.csv --box 0,0,1,1
+  fails 2 "--periodic: the file holds no box" pairs four.csv --periodic x
+  fails 2 "'w' is no axis" pairs four.csv --box 0,0,0,9,9,9 --periodic w
+  fails 2 "--count" pairs four.csv --count --output x.csv
+  fails 1 "missing.csv: cannot open" pairs missing.csv
+  printf 'x,y,z,r\n0,0,0,1\n0,oops,0,1\n' >bad.csv
+  fails 1 "hgrid: bad.csv:3: 'oops' in column 'y' is not a number" pairs bad.csv
+  fails 1 "hgrid: bad.csv:3: 'oops' in column 'y' is not a number" levels bad.csv
+  fails 1 "four.csv: HG_ERR_ARGUMENT" pairs four.csv --cell-sizes 0.5
+  fails 1 "no/such/folder.csv: cannot write" pairs four.csv --output no/such/folder.csv
+  [ -e bad.out ] && fault "bad.out exists before its test"
+  fails 1 "bad.csv:3:" pairs bad.csv --output bad.out
+  [ -e bad.out ] && fault "an output was made for an input that was refused"
+  return 0
+}
+
+test_broken_output() {
+  local arguments code
+  [ -e /dev/full ] || return 0
+  for arguments in "pairs four.csv" "pairs four.csv --count" "levels four.csv" "levels four.csv --csv" "--help" "--version"; do
+    # shellcheck disable=SC2086
+    "$hgrid" $arguments >/dev/full 2>err.txt
+    equal "exit code of '$arguments' on a full disk" $? 1
+    grep -q "<stdout>: cannot write: No space left" err.txt || fault "'$arguments' on a full disk: $(cat err.txt)"
+  done
+  "$hgrid" pairs four.csv >&- 2>err.txt
+  code=$?
+  equal "exit code with a closed output" $code 1
+  fails 1 "/dev/full: cannot write: No space left" pairs four.csv --output /dev/full
+  # So many contacts that writing fails amid the search, inside a call of the library.
+  lattice 8 0 0.5 >cubic.csv
+  fails 1 "/dev/full: cannot write: No space left" pairs cubic.csv --margin 20 --output /dev/full
+}
+
+test_help() {
+  local command
+  equal "version" "$("$hgrid" --version)" "hgrid $version"
+  for command in "" pairs levels pack bench slice; do
+    # shellcheck disable=SC2086
+    "$hgrid" $command --help >help.txt 2>err.txt || fault "$command --help fails"
+    grep -q "Examples:" help.txt || fault "$command --help shows no example"
+    [ -s err.txt ] && fault "$command --help writes on standard error"
+  done
+}
+
+test_lattices
+test_scattered
+test_output
+test_levels
+test_failures
+test_broken_output
+test_help
+[ $failures -eq 0 ] || { echo "$failures checks failed" >&2; exit 1; }
+echo "all checks passed"

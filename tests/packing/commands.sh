@@ -1,0 +1,90 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
+# hgrid pack, slice and bench as a user calls them: commands.sh HGRID.
+set -u
+hgrid=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+
+fault() {
+  echo "FAILED: $*" >&2
+  failures=$((failures + 1))
+}
+
+works() { "$hgrid" "$@" >out.txt 2>err.txt || fault "$*: exit code $?: $(cat err.txt)"; }
+
+# fails CODE TEXT ARGUMENT...
+fails() {
+  local code=$1 text=$2 found
+  shift 2
+  "$hgrid" "$@" >out.txt 2>err.txt
+  found=$?
+  [ "$found" = "$code" ] || fault "$*: exit code $found, expected $code"
+  grep -qF -- "$text" err.txt || fault "$*: no '$text' in '$(cat err.txt)'"
+}
+
+contacts() { "$hgrid" pairs "$1" --count | awk '$1 == "contacts" && NF == 2 { print $2 }'; }
+
+small=(pack --count 3000 --ratio 10 --seed 5 --sweeps 20)
+works "${small[@]}" --output one.csv
+reported=$(awk '/ contacts, / { print $1 }' out.txt)
+works "${small[@]}" --output again.csv
+cmp -s one.csv again.csv || fault "the same seed gave other bytes"
+works pack --count 3000 --ratio 10 --seed 6 --sweeps 20 --output other.csv
+cmp -s one.csv other.csv && fault "another seed gave the same bytes"
+
+# What was reported, what the file holds, and what the other formats hold.
+[ "$(contacts one.csv)" = "$reported" ] || fault "pack reported $reported contacts, pairs found $(contacts one.csv)"
+for name in one.lammpstrj one.dump one.xyz one.extxyz; do
+  works "${small[@]}" --output "$name"
+  [ "$(contacts "$name")" = "$reported" ] || fault "$name has $(contacts "$name") contacts, not $reported"
+done
+"$hgrid" "${small[@]}" --output - --format csv 2>err.txt | cmp -s - one.csv || fault "standard output is not the file"
+
+works pack --law two-sizes --count 2000 --dimension 2 --periodic xy --output disks.csv
+works pack --law mono --count 500 --random-offset --output mono.csv
+works pack --law uniform-size --count 500 --ratio 3 --density 0.4 --periodic z --offset 0.9 --output size.csv
+
+# A failing run leaves the file that was there and nothing else.
+cp one.csv kept.csv
+fails 1 "density" pack --density 1.2 --output kept.csv
+cmp -s one.csv kept.csv || fault "a failed pack changed its output"
+fails 1 "no/such" pack --count 10 --law mono --output no/such/place.csv
+mkdir folder.csv
+fails 1 "folder.csv" pack --count 10 --law mono --output folder.csv
+compgen -G '*.partial*' >/dev/null && fault "a partial file is left: $(ls)"
+fails 1 "not 0.5" pack --ratio 0.5 --output x.csv
+fails 1 "more than 10 particles" pack --law two-sizes --count 10 --output x.csv
+fails 2 "normal" pack --law normal --output x.csv
+fails 2 "one size only" pack --law mono --ratio 3 --output x.csv
+fails 2 "no ending" pack --output x.unknown
+fails 2 "'xx'" pack --periodic xx --output x.csv
+fails 2 "'z'" pack --periodic z --dimension 2 --output x.csv
+fails 2 "--output" pack
+[ -e x.csv ] && fault "a refused pack left a file"
+
+is_xml() { python3 -c 'import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])' "$1" || fault "$1 is no XML"; }
+works slice one.csv --output z.svg
+is_xml z.svg
+works slice one.csv --axis x --at 0.25 --levels paper --output x.svg
+is_xml x.svg
+cmp -s x.svg z.svg && fault "two planes give the same picture"
+works slice disks.csv --output disks.svg
+is_xml disks.svg
+fails 1 "cuts no particle" slice one.csv --at 0 --output none.svg
+fails 2 "--at" slice one.csv --at 1.5 --output none.svg
+
+works bench one.csv --repeats 2 --most-levels 3 --csv bench.csv
+[ "$(head -n 1 bench.csv)" = "rule,levels,median_ns_per_particle,fastest_ns_per_particle,runs,predicted_cost,candidates_per_particle,pairs" ] ||
+  fault "head of the CSV: $(head -n 1 bench.csv)"
+awk -F, -v pairs="$reported" 'NR > 1 && ($3 <= 0 || $7 < $8 / 3000 || $8 != pairs) { bad = 1 } NR > 1 { ++rows }
+  END { exit bad || rows != 4 }' bench.csv || fault "rows of the CSV: $(cat bench.csv)"
+fails 1 "no/such.csv" bench no/such.csv
+printf 'x,y,z,r\n' >empty.csv
+fails 1 "no particles" bench empty.csv
+
+[ "$failures" = 0 ] || exit 1
+echo "pack, slice and bench do what they say"

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The baseline searches and the library against a comparison of all pairs, on packings of all laws.
+#include "../app/cmocka_cpp.hpp"
+#include "grid_handle.hpp"
+#include "hierarchical_grid.hpp"
+#include "linked_cell.hpp"
+#include "packing/packing.hpp"
+#include "packing/random.hpp"
+#include "pair_sets.hpp"
+
+#include <hgrid/hgrid.h>
+
+#include <cstdio>
+#include <stdexcept>
+
+namespace {
+
+using packing::Law;
+
+constexpr std::uint64_t kSeed = 99;
+
+bench::Particles view(const app::ParticleSet &set) { return {set.count(), set.centers.data(), set.radii.data()}; }
+
+std::vector<hg_pair> all_pairs(const app::ParticleSet &set) {
+  const std::size_t d = static_cast<std::size_t>(set.dimension);
+  std::vector<hg_pair> pairs;
+  for (std::size_t i = 0; i < set.count(); ++i) {
+    for (std::size_t j = i + 1; j < set.count(); ++j) {
+      const double *x = &set.centers[i * d], *y = &set.centers[j * d];
+      double square = (x[0] - y[0]) * (x[0] - y[0]) + (x[1] - y[1]) * (x[1] - y[1]);
+      if (d == 3) square = square + (x[2] - y[2]) * (x[2] - y[2]);
+      const double sum = set.radii[i] + set.radii[j];
+      if (square < sum * sum) pairs.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)});
+    }
+  }
+  return pairs;
+}
+
+std::vector<hg_pair> sorted(const std::vector<hg_pair> &pairs) { return bench::sorted(pairs.data(), pairs.size()); }
+
+bool same(const char *what, const std::vector<hg_pair> &expected, const std::vector<hg_pair> &found) {
+  const std::size_t odd = bench::differences(expected, sorted(found)).size();
+  if (odd == 0) return true;
+  std::fprintf(stderr, "%s, seed %llu: %zu pairs found, %zu expected, %zu differ\n", what,
+               static_cast<unsigned long long>(kSeed), found.size(), expected.size(), odd);
+  return false;
+}
+
+// Levels that double in size up to the largest diameter.
+std::vector<double> doubling_sizes(const app::ParticleSet &set) {
+  const double largest = 2 * *std::max_element(set.radii.begin(), set.radii.end());
+  std::vector<double> sizes;
+  for (double size = 2.5; size < largest; size *= 2) sizes.push_back(size);
+  sizes.push_back(largest);
+  return sizes;
+}
+
+std::vector<hg_pair> library_pairs(const app::ParticleSet &set, std::vector<double> &sizes) {
+  hg_grid_def def = hg_default_grid_def();
+  def.dimension = set.dimension;
+  def.accuracy = HG_DOUBLE;
+  def.level_rule = HG_LEVELS_PAPER;
+  app::Grid grid(def);
+  grid.insert(set);
+  sizes.clear();
+  for (const hg_level &level : grid.levels()) sizes.push_back(level.cell_size);
+  const app::Borrowed<hg_pair> pairs = grid.pairs();
+  return std::vector<hg_pair>(pairs.begin(), pairs.end());
+}
+
+bool all_agree(const app::ParticleSet &set) {
+  const std::vector<hg_pair> expected = all_pairs(set);
+  std::vector<double> paper_sizes;
+  std::int64_t one_level = 0, many_levels = 0;
+  const bool good = !expected.empty() && same("library", expected, library_pairs(set, paper_sizes)) &&
+                    same("linked cells", expected, bench::linked_cell_pairs(set.dimension, view(set), &one_level)) &&
+                    same("hierarchical grid", expected,
+                         bench::hierarchical_grid_pairs(set.dimension, view(set), paper_sizes, &many_levels)) &&
+                    same("hierarchical grid, doubling", expected,
+                         bench::hierarchical_grid_pairs(set.dimension, view(set), doubling_sizes(set), nullptr));
+  const std::int64_t all = static_cast<std::int64_t>(set.count() * (set.count() - 1) / 2);
+  const std::int64_t found = static_cast<std::int64_t>(expected.size());
+  return good && one_level >= found && one_level <= all && many_levels >= found && many_levels <= all;
+}
+
+app::ParticleSet packed(Law law, double ratio, int dimension) {
+  packing::Request request;
+  request.law = {law, ratio, dimension};
+  request.count = 3000;
+  request.density = 0.6;
+  request.seed = kSeed;
+  request.sweeps = 10;
+  return packing::make_packing(request, nullptr).particles;
+}
+
+bool all_laws_agree(int dimension) {
+  return all_agree(packed(Law::kMono, 1, dimension)) && all_agree(packed(Law::kTwoSizes, 8, dimension)) &&
+         all_agree(packed(Law::kUniformSize, 20, dimension)) && all_agree(packed(Law::kUniformVolume, 20, dimension));
+}
+
+void searches_agree_on_spheres(void **) {
+  const bool ok = all_laws_agree(3);
+  assert_true(ok);
+}
+
+void searches_agree_on_disks(void **) {
+  const bool ok = all_laws_agree(2);
+  assert_true(ok);
+}
+
+// A sparse cloud needs far more cells than particles, one coordinate may be the same for all, and cells meet at faces.
+bool hard_places_agree() {
+  packing::Random random(kSeed);
+  app::ParticleSet set;
+  for (int k = 0; k < 500; ++k) {
+    const double far = k % 2 == 0 ? 0 : 1e7;
+    for (int axis = 0; axis < 2; ++axis) set.centers.push_back(far + static_cast<double>(random.below(32)));
+    set.centers.push_back(-3);
+    set.radii.push_back(0.5 + static_cast<double>(random.below(3)));
+  }
+  return all_agree(set);
+}
+
+void sparse_and_flat_sets(void **) {
+  const bool ok = hard_places_agree();
+  assert_true(ok);
+}
+
+bool edge_cases() {
+  const app::ParticleSet none;
+  app::ParticleSet points;
+  points.centers = {0, 0, 0, 0, 0, 0};
+  points.radii = {0, 0};
+  app::ParticleSet touching;
+  touching.centers = {0, 0, 0, 2, 0, 0};
+  touching.radii = {1, 1};
+  const std::vector<double> sizes = {2};
+  return bench::linked_cell_pairs(3, view(none), nullptr).empty() &&
+         bench::linked_cell_pairs(3, view(points), nullptr).empty() &&
+         bench::linked_cell_pairs(3, view(touching), nullptr).empty() &&
+         bench::hierarchical_grid_pairs(3, view(none), {}, nullptr).empty() &&
+         bench::hierarchical_grid_pairs(3, view(touching), sizes, nullptr).empty();
+}
+
+void empty_points_and_touching(void **) {
+  const bool ok = edge_cases();
+  assert_true(ok);
+}
+
+bool refuses_small_cells() {
+  app::ParticleSet set;
+  set.centers = {0, 0, 0};
+  set.radii = {1};
+  try {
+    bench::hierarchical_grid_pairs(3, view(set), {1.5}, nullptr);
+  } catch (const std::invalid_argument &) {
+    return true;
+  }
+  return false;
+}
+
+void cells_smaller_than_particles(void **) {
+  const bool ok = refuses_small_cells();
+  assert_true(ok);
+}
+
+bool differences_are_found() {
+  const std::vector<hg_pair> one = {{0, 1}, {0, 2}, {3, 4}}, other = {{0, 1}, {3, 4}, {3, 5}};
+  app::ParticleSet set;
+  set.centers = {0, 0, 0, 2, 0, 0, 2.0000001, 0, 0};
+  set.radii = {1, 1, 1};
+  const std::vector<hg_pair> twice = {{0, 1}, {0, 1}};
+  return bench::differences(one, other).size() == 2 && bench::differences(one, one).empty() &&
+         bench::differences(twice, {{0, 1}}).size() == 1 && bench::touch_within_rounding(set, {0, 1}) &&
+         !bench::touch_within_rounding(set, {0, 2});
+}
+
+void pair_sets(void **) {
+  const bool ok = differences_are_found();
+  assert_true(ok);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(searches_agree_on_spheres),    cmocka_unit_test(searches_agree_on_disks),
+      cmocka_unit_test(sparse_and_flat_sets),         cmocka_unit_test(empty_points_and_touching),
+      cmocka_unit_test(cells_smaller_than_particles), cmocka_unit_test(pair_sets),
+  };
+  return cmocka_run_group_tests_name("baselines", tests, nullptr, nullptr);
+}

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Packings from end to end: density, walls, periodic images, progress of the relaxation, reproducibility, refusals.
+#include "../app/cmocka_cpp.hpp"
+#include "error.hpp"
+#include "packing/packing.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+namespace {
+
+using packing::Law;
+
+constexpr std::uint64_t kSeed = 4711;
+
+packing::Request request_of(Law law, double ratio, int dimension) {
+  packing::Request request;
+  request.law = {law, ratio, dimension};
+  request.count = 2000;
+  request.density = 0.55;
+  request.seed = kSeed;
+  return request;
+}
+
+double volume_of(const app::ParticleSet &set) {
+  double volume = 0;
+  for (const double r : set.radii) volume += set.dimension == 2 ? M_PI * r * r : 4 * M_PI / 3 * r * r * r;
+  return volume;
+}
+
+bool inside_walls(const app::ParticleSet &set) {
+  const std::size_t d = static_cast<std::size_t>(set.dimension);
+  for (std::size_t i = 0; i < set.count(); ++i) {
+    for (std::size_t k = 0; k < d; ++k) {
+      const double x = set.centers[i * d + k];
+      const double room = set.periodic[k] != 0 ? 0 : set.radii[i];
+      if (!(x >= room) || !(x <= set.box_max[k] - room)) {
+        std::fprintf(stderr, "particle %zu (radius %g): coordinate %zu is %g\n", i, set.radii[i], k, x);
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// The largest overlap over the smaller radius, by comparing all pairs.
+packing::Overlaps overlaps_of(const app::ParticleSet &set) {
+  const std::size_t d = static_cast<std::size_t>(set.dimension);
+  packing::Overlaps found;
+  for (std::size_t i = 0; i < set.count(); ++i) {
+    for (std::size_t j = i + 1; j < set.count(); ++j) {
+      double square = 0;
+      for (std::size_t k = 0; k < d; ++k) {
+        double x = set.centers[i * d + k] - set.centers[j * d + k];
+        if (set.periodic[k] != 0) x = std::remainder(x, set.box_max[k]);
+        square += x * x;
+      }
+      const double sum = set.radii[i] + set.radii[j];
+      if (!(square < sum * sum)) continue;
+      const double overlap = (sum - std::sqrt(square)) / std::min(set.radii[i], set.radii[j]);
+      ++found.contacts;
+      found.mean += overlap;
+      found.largest = std::max(found.largest, overlap);
+    }
+  }
+  if (found.contacts > 0) found.mean /= static_cast<double>(found.contacts);
+  return found;
+}
+
+bool good_packing(const packing::Request &request) {
+  packing::Overlaps first;
+  const packing::Packing made = packing::make_packing(request, [&first](int done, const packing::Overlaps &overlaps) {
+    if (done == 0) first = overlaps;
+  });
+  const app::ParticleSet &set = made.particles;
+  double box = set.box_max[0] * set.box_max[1];
+  if (set.dimension == 3) box *= set.box_max[2];
+  const packing::Overlaps found = overlaps_of(set);
+  const bool same_overlaps = found.contacts == made.overlaps.contacts &&
+                             std::fabs(found.mean - made.overlaps.mean) <= 1e-9 * found.mean &&
+                             std::fabs(found.largest - made.overlaps.largest) <= 1e-9 * found.largest;
+  const bool relaxed = made.overlaps.mean < 0.5 * first.mean;
+  const bool dense = std::fabs(volume_of(set) / box - request.density) < 1e-12;
+  if (same_overlaps && relaxed && dense && set.count() == request.count && inside_walls(set)) return true;
+  std::fprintf(stderr,
+               "law %d, dimension %d, seed %llu: %zu contacts (reported %zu), mean %g (%g, at first %g), density %g\n",
+               static_cast<int>(request.law.law), set.dimension, static_cast<unsigned long long>(kSeed), found.contacts,
+               made.overlaps.contacts, found.mean, made.overlaps.mean, first.mean, volume_of(set) / box);
+  return false;
+}
+
+void spheres_of_all_laws(void **) {
+  bool ok = good_packing(request_of(Law::kMono, 1, 3));
+  assert_true(ok);
+  ok = good_packing(request_of(Law::kTwoSizes, 5, 3));
+  assert_true(ok);
+  ok = good_packing(request_of(Law::kUniformSize, 8, 3));
+  assert_true(ok);
+  ok = good_packing(request_of(Law::kUniformVolume, 8, 3));
+  assert_true(ok);
+}
+
+void disks_of_all_laws(void **) {
+  bool ok = good_packing(request_of(Law::kMono, 1, 2));
+  assert_true(ok);
+  ok = good_packing(request_of(Law::kTwoSizes, 5, 2));
+  assert_true(ok);
+  ok = good_packing(request_of(Law::kUniformSize, 8, 2));
+  assert_true(ok);
+  ok = good_packing(request_of(Law::kUniformVolume, 8, 2));
+  assert_true(ok);
+}
+
+bool good_periodic_packing(int dimension, std::array<bool, 3> periodic) {
+  packing::Request request = request_of(Law::kUniformVolume, 4, dimension);
+  request.periodic = periodic;
+  return good_packing(request);
+}
+
+void periodic_axes(void **) {
+  bool ok = good_periodic_packing(3, {true, true, true});
+  assert_true(ok);
+  ok = good_periodic_packing(3, {false, true, false});
+  assert_true(ok);
+  ok = good_periodic_packing(2, {true, false, false});
+  assert_true(ok);
+}
+
+bool same_bytes(const std::vector<double> &a, const std::vector<double> &b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+bool same_seed_same_bytes() {
+  packing::Request request = request_of(Law::kUniformVolume, 8, 3);
+  request.sweeps = 5;
+  const packing::Packing one = packing::make_packing(request, nullptr), again = packing::make_packing(request, nullptr);
+  request.seed = kSeed + 1;
+  const packing::Packing other = packing::make_packing(request, nullptr);
+  return same_bytes(one.particles.centers, again.particles.centers) &&
+         same_bytes(one.particles.radii, again.particles.radii) &&
+         !same_bytes(one.particles.centers, other.particles.centers) &&
+         !same_bytes(one.particles.radii, other.particles.radii);
+}
+
+void a_seed_is_a_packing(void **) {
+  const bool ok = same_seed_same_bytes();
+  assert_true(ok);
+}
+
+// FNV-1a over the bit patterns, coordinates first.
+std::uint64_t hash_of(const app::ParticleSet &set) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const std::vector<double> *values : {&set.centers, &set.radii}) {
+    for (const double value : *values) {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &value, sizeof bits);
+      for (int k = 0; k < 8; ++k) hash = (hash ^ ((bits >> (8 * k)) & 255u)) * 0x100000001b3u;
+    }
+  }
+  return hash;
+}
+
+bool hash_is(int dimension, std::uint64_t expected) {
+  packing::Request request = request_of(Law::kUniformVolume, 8, dimension);
+  request.sweeps = 5;
+  const std::uint64_t hash = hash_of(packing::make_packing(request, nullptr).particles);
+  if (hash == expected) return true;
+  std::fprintf(stderr, "dimension %d, seed %llu: hash 0x%016llx\n", dimension, static_cast<unsigned long long>(kSeed),
+               static_cast<unsigned long long>(hash));
+  return false;
+}
+
+// Packings are test data of others: the same on every machine and for every later version.
+void packings_stay_what_they_were(void **) {
+  const bool ok3 = hash_is(3, 0xc5f839201c9dbed4u), ok2 = hash_is(2, 0x854d53514629e1f8u);
+  assert_true(ok3);
+  assert_true(ok2);
+}
+
+// Two disks at one place: each goes its way along x by its share of the push.
+bool coincident_centers_part() {
+  packing::Container container;
+  container.dimension = 2;
+  container.edge = 20;
+  app::ParticleSet set = container.empty_set();
+  set.centers = {10, 10, 10, 10};
+  set.radii = {1, 1};
+  const packing::Overlaps left = packing::relax(container, 60, nullptr, set);
+  return left.largest < 1e-6 && set.centers[0] < 9.1 && set.centers[2] > 10.9 && set.centers[1] == 10 &&
+         set.centers[3] == 10;
+}
+
+void coincident_centers(void **) {
+  const bool ok = coincident_centers_part();
+  assert_true(ok);
+}
+
+// The pushes of one contact leave the centre of mass, masses ~ r^d, where it was.
+bool center_of_mass_stays(int dimension) {
+  packing::Container container;
+  container.dimension = dimension;
+  container.edge = 100;
+  app::ParticleSet set = container.empty_set();
+  const std::size_t d = static_cast<std::size_t>(dimension);
+  set.centers.assign(2 * d, 50.0);
+  set.centers[d] = 53.9;
+  set.radii = {3, 1};
+  packing::relax(container, 1, nullptr, set);
+  const double heavy = dimension == 2 ? 9 : 27;
+  const double before = heavy * 50 + 53.9, after = heavy * set.centers[0] + set.centers[d];
+  return set.centers[d] > 53.9 && set.centers[0] < 50 && std::fabs(after - before) < 1e-9;
+}
+
+void a_contact_keeps_the_center_of_mass(void **) {
+  bool ok = center_of_mass_stays(2);
+  assert_true(ok);
+  ok = center_of_mass_stays(3);
+  assert_true(ok);
+}
+
+bool refuses(const packing::Request &request, const std::string &text) {
+  try {
+    packing::make_packing(request, nullptr);
+  } catch (const app::Error &error) {
+    if (std::string(error.what()).find(text) != std::string::npos) return true;
+    std::fprintf(stderr, "refused with: %s\n", error.what());
+    return false;
+  }
+  std::fprintf(stderr, "not refused: expected '%s'\n", text.c_str());
+  return false;
+}
+
+template <class Change>
+bool refuses_after(Change change, const std::string &text) {
+  packing::Request request = request_of(Law::kUniformVolume, 8, 3);
+  change(request);
+  return refuses(request, text);
+}
+
+bool refuses_nonsense() {
+  using packing::Request;
+  return refuses_after([](Request &r) { r.count = 0; }, "count") &&
+         refuses_after([](Request &r) { r.density = 0; }, "density") &&
+         refuses_after([](Request &r) { r.density = 1; }, "not at 1") &&
+         refuses_after([](Request &r) { r.density = NAN; }, "not at nan") &&
+         refuses_after([](Request &r) { r.law.ratio = 0.5; }, "not 0.5") &&
+         refuses_after([](Request &r) { r.law.ratio = INFINITY; }, "not inf") &&
+         refuses_after([](Request &r) { r.law.dimension = 4; }, "not 4") &&
+         refuses_after([](Request &r) { r.offset = 1; }, "[0, 1)") &&
+         refuses_after([](Request &r) { r.sweeps = -1; }, "-1") &&
+         refuses_after(
+             [](Request &r) {
+               r.law = {Law::kTwoSizes, 50, 3};
+             },
+             "more than 2000 particles") &&
+         refuses_after([](Request &r) { r.count = 1, r.density = 0.9; }, "smaller than the largest particle") &&
+         refuses_after(
+             [](Request &r) {
+               r.count = 20, r.periodic = {true, true, true};
+             },
+             "two of the largest diameter");
+}
+
+void nonsense_is_refused(void **) {
+  const bool ok = refuses_nonsense();
+  assert_true(ok);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(spheres_of_all_laws),
+      cmocka_unit_test(disks_of_all_laws),
+      cmocka_unit_test(periodic_axes),
+      cmocka_unit_test(a_seed_is_a_packing),
+      cmocka_unit_test(packings_stay_what_they_were),
+      cmocka_unit_test(coincident_centers),
+      cmocka_unit_test(a_contact_keeps_the_center_of_mass),
+      cmocka_unit_test(nonsense_is_refused),
+  };
+  return cmocka_run_group_tests_name("packing", tests, nullptr, nullptr);
+}

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The size laws against closed forms and reference values of the paper's systems.
+#include "../app/cmocka_cpp.hpp"
+#include "packing/size_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace {
+
+using packing::Law;
+using packing::SizeLaw;
+
+constexpr std::size_t kCount = 125001;
+constexpr double kDensity = 0.62;
+
+bool near(const char *what, double found, double expected, double relative) {
+  if (std::fabs(found - expected) <= relative * std::fabs(expected)) return true;
+  std::fprintf(stderr, "%s: found %.12g, expected %.12g\n", what, found, expected);
+  return false;
+}
+
+double moment(const std::vector<double> &radii, int power) {
+  double sum = 0;
+  for (const double r : radii) sum += std::pow(r, power);
+  return sum / static_cast<double>(radii.size());
+}
+
+bool largest_radius_is(double omega, std::size_t count, double expected) {
+  const std::vector<double> radii = packing::sample_radii({Law::kUniformVolume, omega, 3}, count, 0.5);
+  return std::is_sorted(radii.begin(), radii.end()) && radii.front() >= 1 &&
+         near("largest radius", radii.back(), expected, 1e-4);
+}
+
+void largest_sampled_radius(void **) {
+  bool ok = largest_radius_is(50, kCount, 49.752);
+  assert_true(ok);
+  ok = largest_radius_is(100, kCount, 98.06);
+  assert_true(ok);
+  ok = largest_radius_is(1000, kCount, 447.2);
+  assert_true(ok);
+  ok = largest_radius_is(1000, 1000000, 816.5);
+  assert_true(ok);
+}
+
+bool edge_is(const SizeLaw &law, double expected) {
+  const std::vector<double> radii = packing::sample_radii(law, kCount, 0.5);
+  return near("box edge", packing::box_edge(radii, kDensity, law.dimension), expected, 1e-8);
+}
+
+void box_edges(void **) {
+  bool ok = edge_is({Law::kUniformVolume, 50, 3}, 435.847842);
+  assert_true(ok);
+  ok = edge_is({Law::kUniformSize, 50, 3}, 2997.4004);
+  assert_true(ok);
+  ok = edge_is({Law::kUniformVolume, 10, 3}, 248.551222);
+  assert_true(ok);
+  ok = edge_is({Law::kUniformVolume, 100, 3}, 550.905551);
+  assert_true(ok);
+  ok = edge_is({Law::kTwoSizes, 10, 3}, 119.071316);
+  assert_true(ok);
+}
+
+// Sampling error of the midpoint rule: largest for <r^3>, whose weight lies in the few large radii.
+bool moments_of_uniform_volume(double omega) {
+  const std::vector<double> radii = packing::sample_radii({Law::kUniformVolume, omega, 3}, kCount, 0.5);
+  return near("<r>", moment(radii, 1), 2 * omega / (omega + 1), 1e-4) &&
+         near("<r^2>", moment(radii, 2), 2 * std::log(omega) * omega * omega / (omega * omega - 1), 1e-3) &&
+         near("<r^3>", moment(radii, 3), 2 * omega * omega / (omega + 1), 2e-3);
+}
+
+bool moments_of_uniform_size(double omega) {
+  const std::vector<double> radii = packing::sample_radii({Law::kUniformSize, omega, 3}, kCount, 0.5);
+  return near("<r>", moment(radii, 1), (omega + 1) / 2, 1e-8) &&
+         near("<r^3>", moment(radii, 3), (std::pow(omega, 4) - 1) / 4 / (omega - 1), 1e-8);
+}
+
+// p(r) ~ r^-2: <r> = ln(omega) / (1 - 1/omega), <r^2> = omega.
+bool moments_of_uniform_area(double omega) {
+  const std::vector<double> radii = packing::sample_radii({Law::kUniformVolume, omega, 2}, kCount, 0.5);
+  return near("<r>", moment(radii, 1), std::log(omega) / (1 - 1 / omega), 1e-4) &&
+         near("<r^2>", moment(radii, 2), omega, 1e-3);
+}
+
+void moments(void **) {
+  bool ok = moments_of_uniform_volume(50) && moments_of_uniform_volume(10);
+  assert_true(ok);
+  ok = moments_of_uniform_size(50);
+  assert_true(ok);
+  ok = moments_of_uniform_area(50);
+  assert_true(ok);
+}
+
+// Every interval of radii as wide holds as much volume: the name of the law.
+bool volume_is_uniform() {
+  const double omega = 10;
+  const std::vector<double> radii = packing::sample_radii({Law::kUniformVolume, omega, 3}, kCount, 0.5);
+  double volume[3] = {0, 0, 0};
+  for (const double r : radii) volume[std::min(static_cast<int>((r - 1) / 3), 2)] += r * r * r;
+  return near("volume", volume[1], volume[0], 0.01) && near("volume", volume[2], volume[0], 0.01);
+}
+
+void equal_intervals_hold_equal_volume(void **) {
+  const bool ok = volume_is_uniform();
+  assert_true(ok);
+}
+
+bool two_sizes_hold_equal_volume() {
+  const SizeLaw law{Law::kTwoSizes, 10, 3};
+  const std::vector<double> radii = packing::sample_radii(law, kCount, 0.5);
+  const auto large = std::count(radii.begin(), radii.end(), 10.0), small = std::count(radii.begin(), radii.end(), 1.0);
+  return packing::large_count(law, kCount) == 125 && large == 125 && small == 124876;
+}
+
+void two_sizes(void **) {
+  const bool ok = two_sizes_hold_equal_volume();
+  assert_true(ok);
+  assert_true(packing::large_count({Law::kTwoSizes, 10, 2}, 1010) == 10);
+}
+
+bool mono_is_all_ones() {
+  const std::vector<double> radii = packing::sample_radii({Law::kMono, 1, 3}, 1000, 0.5);
+  return radii.size() == 1000 && std::count(radii.begin(), radii.end(), 1.0) == 1000;
+}
+
+// N disks of radius 1 at density nu: S^2 = N pi / nu; spheres: S^3 = N 4 pi / (3 nu).
+void mono(void **) {
+  const bool ok = mono_is_all_ones();
+  assert_true(ok);
+  const double edge2 = packing::box_edge(std::vector<double>(100, 1.0), 0.5, 2);
+  const double edge3 = packing::box_edge(std::vector<double>(1000, 0.01), 0.5, 3);
+  assert_true(std::fabs(edge2 - 25.0662827463) < 1e-9);
+  assert_true(std::fabs(edge3 - 0.203098) < 1e-6);
+}
+
+bool offset_shifts_the_sample() {
+  const SizeLaw law{Law::kUniformSize, 3, 3};
+  const std::vector<double> radii = packing::sample_radii(law, 4, 0.25);
+  return radii == std::vector<double>{1.125, 1.625, 2.125, 2.625};
+}
+
+void offset(void **) {
+  const bool ok = offset_shifts_the_sample();
+  assert_true(ok);
+}
+
+bool refuses_name(const std::string &name) {
+  try {
+    packing::law_from_name(name);
+  } catch (const std::invalid_argument &error) {
+    return std::string(error.what()).find("'" + name + "'") != std::string::npos;
+  }
+  return false;
+}
+
+void names(void **) {
+  assert_true(packing::law_from_name("uniform-size") == Law::kUniformSize);
+  assert_true(packing::law_from_name("two-sizes") == Law::kTwoSizes);
+  const bool ok = refuses_name("normal");
+  assert_true(ok);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(largest_sampled_radius),
+      cmocka_unit_test(box_edges),
+      cmocka_unit_test(moments),
+      cmocka_unit_test(equal_intervals_hold_equal_volume),
+      cmocka_unit_test(two_sizes),
+      cmocka_unit_test(mono),
+      cmocka_unit_test(offset),
+      cmocka_unit_test(names),
+  };
+  return cmocka_run_group_tests_name("size_law", tests, nullptr, nullptr);
+}

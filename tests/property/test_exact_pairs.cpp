@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// HG_EXACT on open axes: every size law in every arrangement gives the pairs of real arithmetic.
+#include "compare.hpp"
+#include "frame.h"
+#include "scenes.hpp"
+
+namespace {
+
+using namespace hgtest;
+
+void check(std::uint64_t seed, int dimension, Places places, std::size_t largest_count) {
+  Rng rng(seed);
+  const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
+  const std::size_t count = rng.chance(0.1) ? rng.below(4) : rng.below(largest_count + 1);
+  Scene scene = open_scene(rng, dimension, count, sizes, places);
+  draw_levels(rng, scene);
+  const Grid grid = make_grid(scene.def, scene.particles);
+  require_same(scene.name.c_str(), sorted_pairs_of(grid), all_pairs(scene.def, scene.particles, exact_interact));
+}
+
+bool sweep(int dimension, Places places, int rounds, std::size_t largest_count) {
+  bool all = true;
+  const std::uint64_t first =
+      1000 * static_cast<std::uint64_t>(places) + 100000 * static_cast<std::uint64_t>(dimension);
+  for (int round = 0; round < rounds; ++round) {
+    all &= holds(first + static_cast<std::uint64_t>(round),
+                 [=](std::uint64_t seed) { check(seed, dimension, places, largest_count); });
+  }
+  return all;
+}
+
+template <int dimension, Places places>
+void any_sizes(void **) {
+  // Piles and lattices leave most of their pairs to the rationals, which are slow.
+  const bool slow = places == Places::kCoincident || places == Places::kLattice;
+  assert_true(sweep(dimension, places, slow ? 40 : 120, slow ? 120 : 400));
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test((any_sizes<2, Places::kUniform>)),    cmocka_unit_test((any_sizes<3, Places::kUniform>)),
+      cmocka_unit_test((any_sizes<2, Places::kNegative>)),   cmocka_unit_test((any_sizes<3, Places::kNegative>)),
+      cmocka_unit_test((any_sizes<2, Places::kClusters>)),   cmocka_unit_test((any_sizes<3, Places::kClusters>)),
+      cmocka_unit_test((any_sizes<2, Places::kPlummer>)),    cmocka_unit_test((any_sizes<3, Places::kPlummer>)),
+      cmocka_unit_test((any_sizes<2, Places::kLine>)),       cmocka_unit_test((any_sizes<3, Places::kLine>)),
+      cmocka_unit_test((any_sizes<2, Places::kPlane>)),      cmocka_unit_test((any_sizes<3, Places::kPlane>)),
+      cmocka_unit_test((any_sizes<2, Places::kDiagonal>)),   cmocka_unit_test((any_sizes<3, Places::kDiagonal>)),
+      cmocka_unit_test((any_sizes<2, Places::kOutlier>)),    cmocka_unit_test((any_sizes<3, Places::kOutlier>)),
+      cmocka_unit_test((any_sizes<2, Places::kFarOrigin>)),  cmocka_unit_test((any_sizes<3, Places::kFarOrigin>)),
+      cmocka_unit_test((any_sizes<2, Places::kCoincident>)), cmocka_unit_test((any_sizes<3, Places::kCoincident>)),
+      cmocka_unit_test((any_sizes<2, Places::kLattice>)),    cmocka_unit_test((any_sizes<3, Places::kLattice>))};
+  return cmocka_run_group_tests(tests, nullptr, nullptr);
+}

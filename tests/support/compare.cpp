@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Comparisons of what a grid returns with what it must.
+#include "compare.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+
+namespace hgtest {
+namespace {
+
+// The first elements of `from` that `other` lacks; both ascend.
+Pairs lacking(const Pairs &from, const Pairs &other) {
+  Pairs result;
+  std::set_difference(from.begin(), from.end(), other.begin(), other.end(), std::back_inserter(result), pair_less);
+  return result;
+}
+
+std::string first_of(const Pairs &pairs) {
+  if (pairs.empty()) return "none";
+  return std::to_string(pairs.size()) + ", first (" + std::to_string(pairs[0].a) + ", " + std::to_string(pairs[0].b) +
+         ")";
+}
+
+}  // namespace
+
+void require(bool condition, const std::string &what) {
+  if (!condition) throw Failure(what);
+}
+
+void require_ok(hg_status status, const char *call) {
+  if (status != HG_OK) throw Failure(std::string(call) + ": " + hg_status_string(status) + ": " + hg_last_error());
+}
+
+void require_same(const char *what, const Pairs &got, const Pairs &expected) {
+  if (std::equal(got.begin(), got.end(), expected.begin(), expected.end(), pair_equal)) return;
+  const Pairs ascending = sorted(got);
+  throw Failure(std::string(what) + ": " + std::to_string(got.size()) + " pairs, expected " +
+                std::to_string(expected.size()) + "; missing: " + first_of(lacking(expected, ascending)) +
+                "; too many: " + first_of(lacking(ascending, expected)));
+}
+
+void require_same(const char *what, const std::vector<std::int32_t> &got, const std::vector<std::int32_t> &expected) {
+  if (got == expected) return;
+  const auto at = std::mismatch(got.begin(), got.end(), expected.begin(), expected.end());
+  throw Failure(std::string(what) + ": " + std::to_string(got.size()) + " ids, expected " +
+                std::to_string(expected.size()) + "; they differ from entry " +
+                std::to_string(std::distance(got.begin(), at.first)));
+}
+
+Grid make_grid(const hg_grid_def &def) {
+  hg_grid *grid = nullptr;
+  require_ok(hg_create(&def, &grid), "hg_create");
+  return Grid(grid);
+}
+
+Grid make_grid(const hg_grid_def &def, const Particles &particles) {
+  Grid grid = make_grid(def);
+  require_ok(hg_insert(grid.get(), particles.size(), particles.centers.data(), particles.radii.data()), "hg_insert");
+  return grid;
+}
+
+Pairs pairs_of(const Grid &grid) {
+  const hg_pair *pairs = nullptr;
+  std::size_t count = 0;
+  require_ok(hg_query_pairs(grid.get(), &pairs, &count), "hg_query_pairs");
+  return Pairs(pairs, pairs + count);
+}
+
+Pairs sorted(Pairs pairs) {
+  std::sort(pairs.begin(), pairs.end(), pair_less);
+  return pairs;
+}
+
+Pairs sorted_pairs_of(const Grid &grid) { return sorted(pairs_of(grid)); }
+
+void report(std::uint64_t seed, const char *text) {
+  std::fprintf(stderr, "seed %llu: %s\n", static_cast<unsigned long long>(seed), text);
+}
+
+}  // namespace hgtest

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A grid with an owner, and comparisons that throw a text which says what differs.
+//
+// cmocka leaves a failed assertion by longjmp, which skips destructors. Checks therefore run inside holds(), which
+// turns a Failure into a message with the seed and a plain bool for assert_true.
+#ifndef HGTEST_COMPARE_HPP
+#define HGTEST_COMPARE_HPP
+
+#include "oracle.hpp"
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace hgtest {
+
+class Failure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+void require(bool condition, const std::string &what);
+void require_ok(hg_status status, const char *call);
+void require_same(const char *what, const Pairs &got, const Pairs &expected);
+void require_same(const char *what, const std::vector<std::int32_t> &got, const std::vector<std::int32_t> &expected);
+
+struct DestroyGrid {
+  void operator()(hg_grid *grid) const { hg_destroy(grid); }
+};
+using Grid = std::unique_ptr<hg_grid, DestroyGrid>;
+
+Grid make_grid(const hg_grid_def &def);
+Grid make_grid(const hg_grid_def &def, const Particles &particles);
+
+// The pairs in the order of the library, and sorted by id.
+Pairs pairs_of(const Grid &grid);
+Pairs sorted_pairs_of(const Grid &grid);
+Pairs sorted(Pairs pairs);
+
+// Prints the seed and the text of the Failure; true if there was none.
+void report(std::uint64_t seed, const char *text);
+template <class Check>
+bool holds(std::uint64_t seed, Check check) {
+  try {
+    check(seed);
+    return true;
+  } catch (const std::exception &e) {
+    report(seed, e.what());
+    return false;
+  }
+}
+
+}  // namespace hgtest
+
+#endif

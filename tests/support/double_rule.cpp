@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The expression in doubles that HG_DOUBLE promises, written out once more.
+// It must be compiled without contraction, as all of the project is (-ffp-contract=off).
+#include "oracle.hpp"
+
+#include <cmath>
+
+namespace hgtest {
+
+bool double_interact(const hg_grid_def &def, const Sphere &a, const Sphere &b) {
+  double d[3] = {0, 0, 0};
+  for (int k = 0; k < def.dimension; ++k) {
+    d[k] = a.center[k] - b.center[k];
+    if (def.periodic[k] != 0) {
+      const double length = def.box_max[k] - def.box_min[k];
+      d[k] -= std::nearbyint(d[k] / length) * length;
+    }
+  }
+  const double base = def.interaction == HG_MAX_RANGE ? std::fmax(a.radius, b.radius) : a.radius + b.radius;
+  const double s = base + def.margin;
+  return d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < s * s;
+}
+
+}  // namespace hgtest

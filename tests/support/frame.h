@@ -1,0 +1,23 @@
+/* SPDX-FileCopyrightText: The libhgrid developers
+ * SPDX-License-Identifier: BSD-3-Clause */
+
+/* cmocka, after the four headers that it expects before it (hence no sorting of includes here). Its version 1.1.5
+ * does not declare itself as C for C++. */
+#ifndef HGTEST_FRAME_H
+#define HGTEST_FRAME_H
+
+/* clang-format off */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+#include <cmocka.h>
+#ifdef __cplusplus
+}
+#endif
+/* clang-format on */
+
+#endif

@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Random scenes.
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hgtest {
+namespace {
+
+constexpr const char *kSizesNames[] = {"mono", "two", "uniform", "uniform-volume", "steep", "log-uniform", "some-zero"};
+constexpr const char *kPlacesNames[] = {"uniform",  "negative", "clusters",   "plummer",    "line",   "plane",
+                                        "diagonal", "outlier",  "far-origin", "coincident", "lattice"};
+static_assert(sizeof kSizesNames / sizeof *kSizesNames == kSizesCount, "a name for each size law");
+static_assert(sizeof kPlacesNames / sizeof *kPlacesNames == kPlacesCount, "a name for each arrangement");
+
+struct Point {
+  double x[3] = {0, 0, 0};
+};
+
+Point in_cube(Rng &rng, double edge) {
+  Point p;
+  for (double &x : p.x) x = rng.uniform(0, edge);
+  return p;
+}
+
+Point plummer(Rng &rng, double core) {
+  const double u = rng.uniform(1e-6, 0.999);
+  const double radius = core / std::sqrt(std::pow(u, -2.0 / 3.0) - 1);
+  const double z = rng.uniform(-1, 1);
+  const double phi = rng.uniform(0, 6.283185307179586);
+  const double w = std::sqrt(1 - z * z);
+  return {{radius * w * std::cos(phi), radius * w * std::sin(phi), radius * z}};
+}
+
+// `edge` is the cube that would hold the particles closely; groups share it between them.
+Point draw_place(Rng &rng, Places places, double edge, const std::vector<Point> &groups) {
+  Point p = in_cube(rng, edge);
+  const Point &group = groups[rng.below(groups.size())];
+  switch (places) {
+    case Places::kNegative:
+      for (double &x : p.x) x -= 2 * edge;
+      break;
+    case Places::kClusters:
+    case Places::kFarOrigin:
+      for (int k = 0; k < 3; ++k) p.x[k] = group.x[k] + 0.6 * p.x[k];
+      break;
+    case Places::kPlummer:
+      p = plummer(rng, 0.5 * edge);
+      break;
+    case Places::kLine:
+      p.x[0] *= 8;
+      p.x[1] = p.x[2] = 0.25 * edge;
+      break;
+    case Places::kPlane:
+      p.x[0] *= 2;
+      p.x[1] = 0.25 * edge;
+      break;
+    case Places::kDiagonal:
+      p.x[1] = p.x[2] = p.x[0];
+      break;
+    case Places::kCoincident:
+      p = group;
+      break;
+    case Places::kUniform:
+    case Places::kOutlier:
+    case Places::kLattice:
+      break;
+  }
+  return p;
+}
+
+std::vector<Point> draw_groups(Rng &rng, Places places, double edge) {
+  std::vector<Point> groups(1);
+  if (places == Places::kClusters) {
+    groups.resize(4);
+    for (Point &g : groups) {
+      for (double &x : g.x) x = rng.uniform(-1e12, 1e12) * edge;
+    }
+  } else if (places == Places::kFarOrigin) {
+    for (double &x : groups[0].x) x = (rng.chance(0.5) ? 1e15 : -1e15) * edge * rng.uniform(0.01, 1);
+  } else if (places == Places::kCoincident) {
+    groups.resize(12);
+    for (Point &g : groups) g = in_cube(rng, 2 * edge);
+  }
+  return groups;
+}
+
+Particles lattice(Rng &rng, int dimension, std::size_t count, double unit) {
+  Particles particles;
+  particles.dimension = dimension;
+  const double spacing = unit * (rng.chance(0.5) ? 1.0 : 0.1);  // 0.1 is not dyadic: touching up to rounding
+  const int side = std::max(1, static_cast<int>(std::ceil(std::pow(static_cast<double>(count), 1.0 / dimension))));
+  for (std::size_t i = 0; i < count; ++i) {
+    const int at = static_cast<int>(i);
+    const int c[3] = {at % side - side / 2, at / side % side - side / 2, at / side / side - side / 2};
+    const double center[3] = {c[0] * spacing, c[1] * spacing, c[2] * spacing};
+    particles.add(center, 0.5 * spacing);
+  }
+  return particles;
+}
+
+void draw_options(Rng &rng, Scene &scene) {
+  hg_grid_def &def = scene.def;
+  def.dimension = scene.particles.dimension;
+  def.thread_count = rng.integer(1, 2);
+  def.index_base = rng.integer(0, 1);
+  def.interaction = rng.chance(0.7) ? HG_CONTACT : HG_MAX_RANGE;
+  const double largest =
+      scene.particles.size() == 0 ? 1 : *std::max_element(scene.particles.radii.begin(), scene.particles.radii.end());
+  if (rng.chance(0.4)) def.margin = rng.uniform(0, 0.2) * largest;
+}
+
+// Periodic axes of the mask: near the origin or far from it, of like lengths or one a million times the others.
+void draw_box(Rng &rng, Scene &scene, int axes) {
+  const int dimension = scene.particles.dimension;
+  const double shortest = 2.000001 * largest_reach(scene.def, scene.particles) + 1e-300;
+  std::vector<double> &centers = scene.particles.centers;
+  const double edge = centers.empty() ? 1 : *std::max_element(centers.begin(), centers.end());
+  const double shift = rng.chance(0.3) ? std::pow(10, rng.uniform(3, 9)) * edge : 0;
+  const int long_axis = rng.chance(0.2) ? rng.integer(0, dimension - 1) : -1;
+  for (int k = 0; k < dimension; ++k) {
+    if ((axes >> k & 1) == 0) continue;
+    const double length = std::max(rng.uniform(0.8, 1.2) * edge, shortest) * (k == long_axis ? 1e6 : 1);
+    scene.def.periodic[k] = 1;
+    scene.def.box_min[k] = rng.uniform(-2, 2) * edge + shift;
+    scene.def.box_max[k] = scene.def.box_min[k] + length;
+  }
+  if (shift != 0) {
+    for (double &x : centers) x += shift;
+  }
+}
+
+std::string describe(const Scene &scene, Sizes sizes, const char *places) {
+  return std::to_string(scene.particles.dimension) + "D " + kSizesNames[static_cast<int>(sizes)] + " " + places +
+         " N=" + std::to_string(scene.particles.size()) +
+         (scene.def.interaction == HG_CONTACT ? " contact" : " max-range") + (scene.def.margin > 0 ? " margin" : "");
+}
+
+}  // namespace
+
+double draw_radius(Rng &rng, Sizes sizes, double largest) {
+  const double u = rng.uniform();
+  switch (sizes) {
+    case Sizes::kMono:
+      return largest;
+    case Sizes::kTwo:
+      return rng.chance(0.05) ? largest : 0.1 * largest;
+    case Sizes::kUniform:
+      return largest * rng.uniform(0.02, 1);
+    case Sizes::kUniformVolume:  // p(r) ~ r^-3 between largest / 50 and largest
+      return largest / 50 / std::sqrt(1 - u * (1 - 1.0 / 2500));
+    case Sizes::kSteep:  // p(r) ~ r^-4 between largest / 1000 and largest
+      return largest / 1000 / std::cbrt(1 - u * (1 - 1e-9));
+    case Sizes::kLogUniform:
+      return largest * std::pow(10.0, -6 * u);
+    case Sizes::kSomeZero:
+      return u < 0.5 ? 0 : largest * (u - 0.4);
+  }
+  return largest;
+}
+
+Particles draw_particles(Rng &rng, int dimension, std::size_t count, Sizes sizes, Places places) {
+  const double units[] = {1, 0.37, 1e-6, 3e4};
+  const double unit = units[rng.below(4)];
+  if (places == Places::kLattice) return lattice(rng, dimension, count, unit);
+  Particles particles;
+  particles.dimension = dimension;
+  double volume = 0;
+  std::vector<double> radii(count);
+  for (double &r : radii) {
+    r = draw_radius(rng, sizes, unit);
+    volume += std::pow(2 * r, dimension);
+  }
+  const double edge = std::max(unit, rng.uniform(0.7, 1.5) * std::pow(volume, 1.0 / dimension));
+  const std::vector<Point> groups = draw_groups(rng, places, edge);
+  for (double r : radii) particles.add(draw_place(rng, places, edge, groups).x, r);
+  if (places == Places::kOutlier && count > 0) particles.centers[0] = 1e9 * edge;
+  return particles;
+}
+
+Scene open_scene(Rng &rng, int dimension, std::size_t count, Sizes sizes, Places places) {
+  Scene scene;
+  scene.particles = draw_particles(rng, dimension, count, sizes, places);
+  draw_options(rng, scene);
+  scene.name = describe(scene, sizes, kPlacesNames[static_cast<int>(places)]);
+  return scene;
+}
+
+double largest_reach(const hg_grid_def &def, const Particles &particles) {
+  if (particles.size() == 0) return def.margin;
+  const double largest = *std::max_element(particles.radii.begin(), particles.radii.end());
+  return (def.interaction == HG_MAX_RANGE ? largest : 2 * largest) + def.margin;
+}
+
+Scene periodic_scene(Rng &rng, int dimension, int axes, std::size_t count, Sizes sizes) {
+  Scene scene;
+  scene.particles = draw_particles(rng, dimension, count, sizes, Places::kUniform);
+  draw_options(rng, scene);
+  draw_box(rng, scene, axes);
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    for (int k = 0; k < dimension; ++k) {
+      double &x = scene.particles.centers[i * static_cast<std::size_t>(dimension) + static_cast<std::size_t>(k)];
+      const double length = scene.def.box_max[k] - scene.def.box_min[k];
+      if (rng.chance(0.05)) x = rng.chance(0.5) ? scene.def.box_min[k] : scene.def.box_max[k];
+      if (rng.chance(0.2)) x += rng.integer(-1000, 1000) * length;
+    }
+  }
+  scene.name = describe(scene, sizes, "periodic axes ") + std::to_string(axes);
+  return scene;
+}
+
+void draw_levels(Rng &rng, Scene &scene) {
+  hg_grid_def &def = scene.def;
+  const double overheads[] = {-1, 0, 0.3, 7};
+  def.cell_overhead = overheads[rng.below(4)];
+  def.level_rule = rng.integer(HG_LEVELS_AUTO, HG_LEVELS_USER);
+  scene.name += " levels " + std::to_string(def.level_rule);
+  if (def.level_rule != HG_LEVELS_USER) {
+    def.level_count = rng.chance(0.3) ? 0 : rng.integer(1, 10);
+    return;
+  }
+  double widest = def.margin;
+  for (double r : scene.particles.radii) widest = std::max(widest, 2 * r + def.margin);
+  if (def.interaction == HG_MAX_RANGE) widest = largest_reach(def, scene.particles);
+  if (!(widest > 0)) widest = 1;
+  double cell = widest * (rng.chance(0.5) ? 1 + 0x1p-50 : rng.uniform(1, 3));
+  const int count = rng.integer(1, 8);
+  for (int level = 0; level < count; ++level) {
+    scene.cell_sizes.insert(scene.cell_sizes.begin(), cell);
+    cell *= rng.uniform(0.05, 0.95);
+  }
+  def.level_count = count;
+  def.cell_sizes = scene.cell_sizes.data();
+}
+
+}  // namespace hgtest

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Random particle sets with their grid definitions: size laws, arrangements in space, options of the grid.
+#ifndef HGTEST_SCENES_HPP
+#define HGTEST_SCENES_HPP
+
+#include "oracle.hpp"
+#include "rng.hpp"
+
+#include <string>
+#include <vector>
+
+namespace hgtest {
+
+enum class Sizes { kMono, kTwo, kUniform, kUniformVolume, kSteep, kLogUniform, kSomeZero };
+enum class Places {
+  kUniform,
+  kNegative,
+  kClusters,    // tight groups with empty space of 1e12 sizes between them
+  kPlummer,     // dense core, thin far halo
+  kLine,        // along one axis
+  kPlane,       // in 2D as kLine
+  kDiagonal,    // all coordinates equal
+  kOutlier,     // one particle far from all others
+  kFarOrigin,   // the whole set 1e15 sizes from the origin: coordinates are coarse
+  kCoincident,  // few points with many particles each
+  kLattice      // equal spheres that exactly touch, or do so up to rounding
+};
+inline constexpr int kSizesCount = static_cast<int>(Sizes::kSomeZero) + 1;
+inline constexpr int kPlacesCount = static_cast<int>(Places::kLattice) + 1;
+
+struct Scene {
+  hg_grid_def def;
+  std::vector<double> cell_sizes;  // what def.cell_sizes points to
+  Particles particles;
+  std::string name;
+
+  Scene() : def(hg_default_grid_def()) {}
+  Scene(Scene &&) = default;
+  Scene &operator=(Scene &&) = default;
+  Scene(const Scene &) = delete;
+  Scene &operator=(const Scene &) = delete;
+};
+
+// One radius; the largest possible is of order `largest`.
+double draw_radius(Rng &rng, Sizes sizes, double largest);
+
+// Particles with a few contacts each. The length unit is drawn too.
+Particles draw_particles(Rng &rng, int dimension, std::size_t count, Sizes sizes, Places places);
+
+// A scene on open axes with random threads, margin, interaction and index base.
+Scene open_scene(Rng &rng, int dimension, std::size_t count, Sizes sizes, Places places);
+
+// A scene with the axes of the bit mask periodic; some particles lie many periods outside the box.
+Scene periodic_scene(Rng &rng, int dimension, int axes, std::size_t count, Sizes sizes);
+
+// Any level rule; USER cells are random but large enough for the scene.
+void draw_levels(Rng &rng, Scene &scene);
+
+// The largest distance at which two particles of the scene can interact.
+double largest_reach(const hg_grid_def &def, const Particles &particles);
+
+}  // namespace hgtest
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A built index over random particles of many sizes, for tests of what searches it.
+#pragma once
+
+#include "index.hpp"
+#include "overlap.hpp"
+#include "rng.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace hgtest {
+
+struct CrowdShape {
+  int dimension = 3;
+  bool periodic = false;
+  bool outlier = false;  // one particle far away, which makes levels sparse
+  std::size_t count = 0;
+  int threads = 1;  // to build with
+};
+
+class Crowd {
+ public:
+  Crowd(std::uint64_t seed, hg::Memory &memory, const CrowdShape &shape)
+      : domain_(domain_of(shape)),
+        index(memory),
+        scratch_(memory),
+        store(memory, domain_, interaction_, 0, std::numeric_limits<double>::infinity()),
+        overlap(interaction_, HG_EXACT, domain_) {
+    Rng rng(seed);
+    std::vector<double> centers, radii;
+    const double edge = std::pow(static_cast<double>(shape.count), 1.0 / shape.dimension);
+    for (std::size_t i = 0; i < shape.count; i++) {
+      for (int k = 0; k < shape.dimension; k++) centers.push_back(domain_.length[k] * rng.uniform());
+      // No larger than a quarter of the box, as a periodic one allows.
+      radii.push_back(std::min(0.3 / std::sqrt(1 - 0.99 * rng.uniform()) / edge, 0.24) * domain_.length[0]);
+    }
+    if (shape.outlier && shape.count > 0) centers[0] = 1e9;
+    store.insert(shape.count, centers.data(), radii.data());
+    index.domain = domain_;
+    index.interaction = interaction_;
+    build(shape.threads);
+  }
+
+  void build(int threads) {
+    const hg::Bounds bounds = hg::bounds_of(store, domain_, threads);
+    const double finest = 2 * bounds.max_radius / 8;
+    const double sizes[4] = {finest, 2 * finest, 4 * finest, 8 * finest};
+    hg::build_index(index, scratch_, store, bounds, hg::user_levels(sizes, 4, interaction_), threads);
+  }
+
+ private:
+  static hg::Domain domain_of(const CrowdShape &shape) {
+    hg::Domain domain;
+    domain.dimension = shape.dimension;
+    domain.any_periodic = shape.periodic;
+    for (int k = 0; k < shape.dimension; k++) {
+      domain.periodic[k] = shape.periodic;
+      domain.box_max[k] = domain.length[k] = 100;
+    }
+    return domain;
+  }
+
+  hg::Domain domain_;
+  hg::Interaction interaction_;
+
+ public:
+  hg::Index index;
+
+ private:
+  hg::BuildScratch scratch_;
+
+ public:
+  hg::ParticleStore store;
+  hg::Overlap overlap;
+};
+
+}  // namespace hgtest

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How cells are laid: never too many, rows never too narrow for the search, all of the frame covered.
+#include "checks.hpp"
+#include "level_cells.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using namespace hgtest;
+using hg::Frame;
+using hg::LevelCells;
+
+struct Layout {
+  Frame frame;
+  int dimension = 3;
+  double cell_size = 0;
+  size_t particles = 1;
+};
+
+void require_layout(const Layout &in) {
+  const LevelCells laid = hg::lay_cells(in.frame, in.dimension, in.cell_size, in.particles);
+  const hg::CellTable &table = laid.table;
+  double cells = 1, rows = 1;
+  for (int k = 0; k < 3; k++) {
+    require(table.count[k] >= 1 && table.count[k] <= 1 << 18, "count[%d] = %d", k, table.count[k]);
+    cells *= table.count[k];
+    if (k > 0) rows *= table.count[k];
+    const double width = static_cast<double>(table.width[k]), extent = k < in.dimension ? in.frame.extent[k] : 0;
+    const double slack = 1 + 0x1p-20;  // widths are floats
+    require(width * table.count[k] * slack >= extent, "axis %d: %d cells of %g do not cover %g", k, table.count[k],
+            width, extent);
+    require(std::fabs(static_cast<double>(table.inverse_width[k]) * width - 1) < 0x1p-22 || std::isinf(width),
+            "inverse of width %g is %g", width, static_cast<double>(table.inverse_width[k]));
+    if (k >= in.dimension) require(table.count[k] == 1, "%d layers in z of a plane", table.count[k]);
+    // A search visits next rows only: a row must hold the reach and what rounding adds at both ends.
+    const double least = k == 0 ? 4096 : in.cell_size + 2.0 * static_cast<double>(hg::kWindowSlack);
+    if (k < in.dimension) require(width * slack >= least, "axis %d: width %g is below %g", k, width, least);
+  }
+  require(static_cast<double>(laid.cells) == cells && static_cast<double>(laid.rows) == rows,
+          "%zu cells in %zu rows instead of %g in %g", laid.cells, laid.rows, cells, rows);
+  require(cells <= hg::kCellsPerParticle * static_cast<double>(in.particles) + hg::kFewCells,
+          "%g cells for %zu particles", cells, in.particles);
+}
+
+Layout any_layout(Rng &rng) {
+  Layout in;
+  in.dimension = rng.integer(2, 3);
+  const int widest = rng.integer(0, in.dimension - 1);
+  for (int k = 0; k < in.dimension; k++) {
+    in.frame.extent[k] = k == widest ? rng.uniform(0x1p29, 0x1p30) : std::pow(2, rng.uniform(-5, 30));
+    if (k != widest && rng.chance(0.3)) in.frame.extent[k] = 0;
+  }
+  in.cell_size = rng.chance(0.1) ? 0 : std::pow(2, rng.uniform(-40, 32));
+  in.particles = 1 + static_cast<size_t>(std::pow(2, rng.uniform(0, 27)));
+  return in;
+}
+
+void check_any(std::uint64_t seed) {
+  Rng rng(seed);
+  require_layout(any_layout(rng));
+}
+
+void any_layouts(void **) { assert_true(sweep(20000, check_any)); }
+
+void check_degenerate(std::uint64_t) {
+  for (double extent : {0.0, 0.5, 1.0, 4095.0, 4096.0, 0x1p30}) {
+    for (double cell_size : {0.0, 1e-300, 1.0, 0x1p30, 1e30, 1e300, std::numeric_limits<double>::infinity()}) {
+      for (size_t particles : {size_t{1}, size_t{1000}, size_t{2147483647}}) {
+        Layout in;
+        in.frame.extent[0] = in.frame.extent[1] = in.frame.extent[2] = extent;
+        in.cell_size = cell_size;
+        in.particles = particles;
+        require_layout(in);
+      }
+    }
+  }
+}
+
+void degenerate(void **) { assert_true(holds(0, check_degenerate)); }
+
+// Where memory allows the widths asked for, they are given, but for dividing the extent evenly.
+void check_widths(std::uint64_t) {
+  Layout in;
+  for (double &e : in.frame.extent) e = 0x1p30;
+  in.cell_size = 0x1p24;
+  in.particles = 1000000;
+  const LevelCells laid = hg::lay_cells(in.frame, 3, in.cell_size, in.particles);
+  require(!laid.widened, "widened without need");
+  for (int k = 0; k < 3; k++) {
+    const double wanted = in.cell_size * (k == 0 ? hg::kCellLength : hg::kRowWidth);
+    const double width = static_cast<double>(laid.table.width[k]);
+    require(width >= wanted * (1 - 1e-6) && width < wanted * 1.05, "axis %d: width %g, wanted %g", k, width, wanted);
+  }
+  in.particles = 1000;
+  require(hg::lay_cells(in.frame, 3, in.cell_size, in.particles).widened, "2^18 cells for 1000 particles");
+}
+
+void widths(void **) { assert_true(holds(0, check_widths)); }
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {cmocka_unit_test(any_layouts), cmocka_unit_test(degenerate), cmocka_unit_test(widths)};
+  return cmocka_run_group_tests_name("level_cells", tests, nullptr, nullptr);
+}

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// NeighborRows against rows gathered in sets.
+#include "checks.hpp"
+#include "neighbor_rows.hpp"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace {
+
+using namespace hgtest;
+using hg::NeighborRows;
+
+using Rows = std::vector<std::set<int32_t>>;
+
+std::vector<hg_pair> any_pairs(Rng &rng, int rows, int32_t base) {
+  std::set<std::pair<int32_t, int32_t>> chosen;
+  const std::uint64_t wanted = rows < 2 ? 0 : rng.below(static_cast<std::uint64_t>(3 * rows));
+  for (std::uint64_t k = 0; k < wanted; k++) {
+    // One row of many neighbours now and then: long rows are sorted in another way.
+    const int a = rng.chance(0.3) ? 0 : rng.integer(0, rows - 2), b = rng.integer(a + 1, rows - 1);
+    chosen.insert({a + base, b + base});
+  }
+  std::vector<hg_pair> pairs;
+  for (const auto &p : chosen) pairs.push_back({p.first, p.second});
+  for (std::size_t k = pairs.size(); k > 1; k--) std::swap(pairs[k - 1], pairs[rng.below(k)]);
+  return pairs;
+}
+
+void require_rows(NeighborRows &got, const Rows &expected) {
+  require(got.offsets()[0] == 0, "the first offset is %lld", static_cast<long long>(got.offsets()[0]));
+  for (std::size_t row = 0; row < expected.size(); row++) {
+    const int64_t begin = got.offsets()[row], end = got.offsets()[row + 1];
+    require(end - begin == static_cast<int64_t>(expected[row].size()), "row %zu has %lld neighbours", row,
+            static_cast<long long>(end - begin));
+    require(std::equal(expected[row].begin(), expected[row].end(), got.neighbors() + begin), "row %zu differs", row);
+  }
+}
+
+void check_any(std::uint64_t seed) {
+  Rng rng(seed);
+  hg::Memory memory(hg::system_allocator());
+  NeighborRows rows(memory);
+  for (int pass = 0; pass < 3; pass++) {
+    const int count = rng.integer(0, 300);
+    const int32_t base = rng.integer(0, 1);
+    const std::vector<hg_pair> pairs = any_pairs(rng, count, base);
+    Rows half(static_cast<std::size_t>(count)), full(static_cast<std::size_t>(count));
+    for (const hg_pair &p : pairs) {
+      half[static_cast<std::size_t>(p.a - base)].insert(p.b);
+      full[static_cast<std::size_t>(p.a - base)].insert(p.b);
+      full[static_cast<std::size_t>(p.b - base)].insert(p.a);
+    }
+    rows.build(pairs.data(), pairs.size(), half.size(), base, HG_FULL);
+    require_rows(rows, full);
+    rows.build(pairs.data(), pairs.size(), half.size(), base, HG_HALF);
+    require_rows(rows, half);
+
+    std::vector<hg_pair> ordered(pairs.size()), expected = pairs;
+    rows.write_pairs(ordered.data(), half.size(), base);
+    std::sort(expected.begin(), expected.end(),
+              [](const hg_pair &p, const hg_pair &q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+    for (std::size_t k = 0; k < pairs.size(); k++) {
+      require(ordered[k].a == expected[k].a && ordered[k].b == expected[k].b, "pair %zu is (%d, %d)", k, ordered[k].a,
+              ordered[k].b);
+    }
+  }
+}
+
+void any_pairs_in_rows(void **) { assert_true(sweep(200, check_any)); }
+
+void no_rows(void **) {
+  const bool ok = holds(0, [](std::uint64_t) {
+    hg::Memory memory(hg::system_allocator());
+    NeighborRows rows(memory);
+    rows.build(nullptr, 0, 0, 0, HG_FULL);
+    require(rows.offsets()[0] == 0 && rows.neighbors() != nullptr, "empty rows must be readable");
+  });
+  assert_true(ok);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {cmocka_unit_test(any_pairs_in_rows), cmocka_unit_test(no_rows)};
+  return cmocka_run_group_tests_name("neighbor_rows", tests, nullptr, nullptr);
+}

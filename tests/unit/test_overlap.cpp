@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Overlap::test() against rational numbers: nearly touching balls, far periodic images, squares out of range.
+#include "checks.hpp"
+#include "overlap.hpp"
+
+#include <hgrid/types.h>
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+using namespace hgtest;
+using hg::Ball;
+using hg::Domain;
+using hg::Image;
+using hg::Interaction;
+using hg::Overlap;
+
+// Two balls and the rule that decides about them.
+struct Case {
+  Domain domain;
+  Interaction interaction;
+  double a[3] = {0, 0, 0}, b[3] = {0, 0, 0};
+  double ra = 0, rb = 0;
+  Image image = hg::kNoImage;
+};
+
+bool decide(const Case &c, int32_t accuracy, int64_t *exact = nullptr) {
+  int64_t count = 0;
+  const bool answer = Overlap(c.interaction, accuracy, c.domain).test({c.a, c.ra}, {c.b, c.rb}, c.image, count);
+  if (exact != nullptr) *exact = count;
+  return answer;
+}
+
+mpq_class rational_square(const Case &c) {
+  mpq_class sum = 0;
+  for (int k = 0; k < c.domain.dimension; k++) {
+    mpq_class d = mpq_class(c.a[k]) - mpq_class(c.b[k]);
+    if (c.domain.periodic[k]) {
+      const double boxes = hg::image_step(c.image, k) + c.domain.wraps(k, c.b[k]) - c.domain.wraps(k, c.a[k]);
+      d += mpq_class(boxes) * (mpq_class(c.domain.box_max[k]) - mpq_class(c.domain.box_min[k]));
+    }
+    sum += d * d;
+  }
+  return sum;
+}
+
+mpq_class rational_reach(const Case &c) {
+  const mpq_class ra(c.ra), rb(c.rb), margin(c.interaction.margin);
+  if (c.interaction.kind == HG_CONTACT) return ra + rb + margin;
+  return std::max(ra, rb) + margin;
+}
+
+bool rational_less(const Case &c) { return rational_square(c) < rational_reach(c) * rational_reach(c); }
+
+void require_exact(const char *what, const Case &c) {
+  const bool expected = rational_less(c);
+  require(decide(c, HG_EXACT) == expected, "%s: x = %a %a %a and %a %a %a, r = %a, %a: must be %d", what, c.a[0],
+          c.a[1], c.a[2], c.b[0], c.b[1], c.b[2], c.ra, c.rb, expected);
+  if (expected) require(decide(c, HG_FLOAT), "%s: HG_FLOAT misses a pair", what);
+}
+
+double nudged(Rng &rng, double x) {
+  const double to = rng.chance(0.5) ? -std::numeric_limits<double>::infinity() : HUGE_VAL;
+  for (int k = rng.integer(0, 2); k > 0; k--) x = std::nextafter(x, to);
+  return x;
+}
+
+void any_direction(Rng &rng, double *u) {
+  double norm = 0;
+  while (norm < 0.01) {
+    norm = 0;
+    for (int k = 0; k < 3; k++) {
+      u[k] = rng.uniform(-1, 1);
+      norm += u[k] * u[k];
+    }
+  }
+  for (int k = 0; k < 3; k++) u[k] /= std::sqrt(norm);
+}
+
+Case any_radii(Rng &rng, double unit) {
+  Case c;
+  c.domain.dimension = rng.integer(2, 3);
+  c.interaction.kind = rng.chance(0.5) ? HG_CONTACT : HG_MAX_RANGE;
+  c.interaction.margin = rng.chance(0.5) ? 0 : unit * rng.uniform();
+  c.ra = unit * rng.uniform(0.1, 1);
+  c.rb = unit * (rng.chance(0.5) ? rng.uniform() : rng.uniform() * 1e-6);
+  return c;
+}
+
+// Puts b at the reach of a but for a few units in the last place; exactly along an axis now and then.
+void let_touch(Rng &rng, Case &c) {
+  const double reach = c.interaction.reach(c.ra, c.rb);
+  double u[3] = {1, 0, 0};
+  if (rng.chance(0.8)) any_direction(rng, u);
+  if (c.domain.dimension == 2) {
+    const double norm = std::hypot(u[0], u[1]);
+    u[0] /= norm;
+    u[1] /= norm;
+  }
+  for (int k = 0; k < c.domain.dimension; k++) c.b[k] = nudged(rng, c.a[k] + reach * u[k]);
+}
+
+void check_touching(std::uint64_t seed) {
+  Rng rng(seed);
+  Case c = any_radii(rng, std::ldexp(1.0, rng.integer(-30, 30)));
+  const double far = rng.chance(0.5) ? 0 : std::ldexp(c.ra, rng.integer(0, 40));
+  for (double &x : c.a) x = far * rng.uniform(-1, 1);
+  let_touch(rng, c);
+  require_exact("touching", c);
+}
+
+// Squares below or above what doubles hold, subnormal numbers included.
+void check_out_of_range(std::uint64_t seed) {
+  Rng rng(seed);
+  const bool tiny = rng.chance(0.5);
+  Case c = any_radii(rng, std::ldexp(1.0, tiny ? rng.integer(-1070, -460) : rng.integer(490, 1021)));
+  for (double &x : c.a) x = c.ra * rng.uniform(-1, 1);
+  let_touch(rng, c);
+  require_exact("out of range", c);
+}
+
+// Boxes of any length, particles up to 2^20 box lengths outside, every image.
+void check_periodic(std::uint64_t seed) {
+  Rng rng(seed);
+  Case c = any_radii(rng, 1);
+  const double reach = c.interaction.diameter(c.ra > c.rb ? c.ra : c.rb);
+  const int step[3] = {rng.integer(-1, 1), rng.integer(-1, 1), c.domain.dimension == 3 ? rng.integer(-1, 1) : 0};
+  for (int k = 0; k < c.domain.dimension; k++) {
+    c.domain.periodic[k] = rng.chance(0.7);
+    c.domain.box_min[k] = rng.chance(0.3) ? 0 : rng.uniform(-100, 100);
+    c.domain.box_max[k] = c.domain.box_min[k] + reach * rng.uniform(2.1, 30);
+    c.domain.length[k] = c.domain.box_max[k] - c.domain.box_min[k];
+    c.domain.any_periodic = c.domain.any_periodic || c.domain.periodic[k];
+    c.a[k] = c.domain.box_min[k] + c.domain.length[k] * rng.uniform();
+  }
+  c.image = hg::make_image(c.domain.periodic[0] ? step[0] : 0, c.domain.periodic[1] ? step[1] : 0,
+                           c.domain.periodic[2] ? step[2] : 0);
+  let_touch(rng, c);
+  for (int k = 0; k < c.domain.dimension; k++) {
+    if (!c.domain.periodic[k]) continue;
+    const double most = rng.chance(0.5) ? 3 : hg::kMaxWraps - 2;
+    const double boxes = std::floor(rng.uniform(-most, most));
+    c.b[k] = nudged(rng, c.b[k] + (hg::image_step(c.image, k) + boxes) * c.domain.length[k]);
+    if (rng.chance(0.5)) c.a[k] += std::floor(rng.uniform(-most, most)) * c.domain.length[k];
+  }
+  require_exact("periodic", c);
+}
+
+// HG_DOUBLE is the plain expression, bit for bit, wherever its squares go.
+void check_double(std::uint64_t seed) {
+  Rng rng(seed);
+  Case c = any_radii(rng, std::ldexp(1.0, rng.chance(0.7) ? rng.integer(-5, 5) : rng.integer(-1070, 1020)));
+  for (double &x : c.a) x = c.ra * rng.uniform(-100, 100);
+  let_touch(rng, c);
+  const double dx = c.a[0] - c.b[0], dy = c.a[1] - c.b[1], dz = c.a[2] - c.b[2];
+  double s = c.interaction.kind == HG_CONTACT ? c.ra + c.rb : std::fmax(c.ra, c.rb);
+  s = s + c.interaction.margin;
+  const bool expected = c.domain.dimension == 3 ? dx * dx + dy * dy + dz * dz < s * s : dx * dx + dy * dy < s * s;
+  require(decide(c, HG_DOUBLE) == expected, "HG_DOUBLE is not the plain expression, which gives %d", expected);
+}
+
+// HG_FLOAT adds only pairs that double arithmetic cannot tell from touching.
+void check_float(std::uint64_t seed) {
+  Rng rng(seed);
+  Case c = any_radii(rng, std::ldexp(1.0, rng.integer(-1020, 1000)));
+  for (double &x : c.a) x = c.ra * rng.uniform(-2, 2);
+  let_touch(rng, c);
+  const double away = 1 + std::ldexp(1.0, -rng.integer(1, 60));
+  for (double &x : c.b) x *= away;
+  if (!decide(c, HG_FLOAT) || rational_less(c)) return;
+  const mpq_class reach = rational_reach(c), ratio = rational_square(c) / (reach * reach);
+  require(ratio < 1 + mpq_class(1, 1L << 46), "HG_FLOAT takes a pair %g of the reach apart", ratio.get_d());
+}
+
+void touching(void **) { assert_true(sweep(50000, check_touching)); }
+void out_of_range(void **) { assert_true(sweep(20000, check_out_of_range)); }
+void periodic_images(void **) { assert_true(sweep(50000, check_periodic)); }
+void plain_double(void **) { assert_true(sweep(50000, check_double)); }
+void float_is_narrow(void **) { assert_true(sweep(50000, check_float)); }
+
+// A distance whose square overflows is far, not undecided.
+void float_refuses_the_far(void **) {
+  Case c;
+  c.a[0] = 1e200;
+  c.b[0] = 5e200;
+  c.ra = c.rb = 1;
+  const bool answer = decide(c, HG_FLOAT), exactly = decide(c, HG_EXACT);
+  assert_false(answer);
+  assert_false(exactly);
+}
+
+void integers_are_rarely_needed(void **) {
+  Case near, touch;
+  near.ra = near.rb = touch.ra = touch.rb = 0.5;
+  near.b[0] = 1 - 1e-9;
+  touch.b[0] = 1;
+  int64_t near_exact = -1, touch_exact = -1;
+  const bool near_answer = decide(near, HG_EXACT, &near_exact), touch_answer = decide(touch, HG_EXACT, &touch_exact);
+  assert_true(near_answer);
+  assert_int_equal(near_exact, 0);
+  assert_false(touch_answer);
+  assert_int_equal(touch_exact, 1);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(touching),
+      cmocka_unit_test(out_of_range),
+      cmocka_unit_test(periodic_images),
+      cmocka_unit_test(plain_double),
+      cmocka_unit_test(float_is_narrow),
+      cmocka_unit_test(float_refuses_the_far),
+      cmocka_unit_test(integers_are_rarely_needed),
+  };
+  return cmocka_run_group_tests_name("overlap", tests, nullptr, nullptr);
+}

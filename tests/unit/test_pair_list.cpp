@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The list of pairs and the visit of it: the same bytes with any number of threads, batches that add up to the list.
+#include "checks.hpp"
+#include "crowd.hpp"
+#include "pair_list.hpp"
+#include "pair_visit.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace {
+
+using namespace hgtest;
+using hg::PairList;
+
+bool same(const hg_pair *p, const hg_pair *q, size_t count) {
+  return count == 0 || std::memcmp(p, q, count * sizeof *p) == 0;
+}
+
+CrowdShape any_shape(Rng &rng, size_t count) {
+  CrowdShape shape;
+  shape.dimension = rng.integer(2, 3);
+  shape.periodic = rng.chance(0.5);
+  shape.outlier = !shape.periodic && rng.chance(0.3);
+  shape.count = count;
+  return shape;
+}
+
+// Each pair of particles in the plain way, on the caller's doubles.
+std::vector<hg_pair> all_pairs(const Crowd &crowd) {
+  std::vector<hg_pair> pairs;
+  int64_t exact = 0;
+  const hg::Domain &domain = crowd.index.domain;
+  for (uint32_t i = 0; i < crowd.store.slots(); i++) {
+    for (uint32_t j = i + 1; j < crowd.store.slots(); j++) {
+      bool found = false;
+      for (hg::Image image = 0; image < 27; image++) {
+        if (image != hg::kNoImage && !domain.any_periodic) continue;
+        if (domain.dimension == 2 && hg::image_step(image, 2) != 0) continue;
+        found = found || crowd.overlap.test(crowd.store.ball(i), crowd.store.ball(j), image, exact);
+      }
+      if (found) pairs.push_back({static_cast<int32_t>(i), static_cast<int32_t>(j)});
+    }
+  }
+  return pairs;
+}
+
+void check_all_pairs(std::uint64_t seed) {
+  Rng rng(seed);
+  hg::Memory memory(hg::system_allocator());
+  const Crowd crowd(seed, memory, any_shape(rng, rng.below(250)));
+  PairList list(memory, 1);
+  list.search(crowd.index, crowd.store, crowd.overlap);
+  std::vector<hg_pair> found(list.data(), list.data() + list.count());
+  std::sort(found.begin(), found.end(),
+            [](const hg_pair &p, const hg_pair &q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+  const std::vector<hg_pair> expected = all_pairs(crowd);
+  require(found.size() == expected.size() && same(found.data(), expected.data(), found.size()),
+          "%zu pairs instead of %zu, or others", found.size(), expected.size());
+}
+
+void check_threads(std::uint64_t seed) {
+  Rng rng(seed);
+  hg::Memory memory(hg::system_allocator());
+  Crowd crowd(seed, memory, any_shape(rng, 25000));
+  PairList alone(memory, 1);
+  const hg::SearchCounts counts = alone.search(crowd.index, crowd.store, crowd.overlap);
+  require(alone.count() > 1000, "only %zu pairs", alone.count());
+  for (int threads : {2, 5}) {
+    crowd.build(threads);
+    PairList together(memory, threads);
+    for (int again = 0; again < 2; again++) {
+      const hg::SearchCounts c = together.search(crowd.index, crowd.store, crowd.overlap);
+      require(together.count() == alone.count() && same(together.data(), alone.data(), alone.count()),
+              "%d threads: %zu pairs instead of %zu, or another order", threads, together.count(), alone.count());
+      require(c.candidates == counts.candidates && c.undecided == counts.undecided && c.exact == counts.exact,
+              "%d threads: the counts differ", threads);
+    }
+  }
+}
+
+struct Visited {
+  std::vector<hg_pair> pairs;
+  size_t batches = 0, largest = 0, stop_after = SIZE_MAX;
+};
+
+int32_t note(void *context, const hg_pair *pairs, size_t count) {
+  auto *visited = static_cast<Visited *>(context);
+  visited->pairs.insert(visited->pairs.end(), pairs, pairs + count);
+  visited->largest = std::max(visited->largest, count);
+  return ++visited->batches >= visited->stop_after ? 1 : 0;
+}
+
+void check_visit(std::uint64_t seed) {
+  Rng rng(seed);
+  hg::Memory memory(hg::system_allocator());
+  const Crowd crowd(seed, memory, any_shape(rng, rng.below(12000)));
+  PairList list(memory, 1);
+  list.search(crowd.index, crowd.store, crowd.overlap);
+
+  Visited search, stored, stopped;
+  const hg::VisitResult result = hg::visit_search(crowd.index, crowd.store, crowd.overlap, memory, note, &search);
+  hg::visit_list(list.data(), list.count(), note, &stored);
+  for (const Visited *v : {&search, &stored}) {
+    require(v->pairs.size() == list.count() && same(v->pairs.data(), list.data(), list.count()),
+            "%zu pairs visited instead of %zu, or another order", v->pairs.size(), list.count());
+    require(v->largest <= hg::kVisitBatch, "a batch of %zu", v->largest);
+  }
+  require(result.pairs == list.count(), "%zu pairs counted", result.pairs);
+
+  if (list.count() == 0) return;
+  stopped.stop_after = 1;
+  const hg::VisitResult some = hg::visit_search(crowd.index, crowd.store, crowd.overlap, memory, note, &stopped);
+  require(stopped.batches == 1, "%zu batches after a stop", stopped.batches);
+  require(some.pairs == stopped.pairs.size() && same(stopped.pairs.data(), list.data(), stopped.pairs.size()),
+          "%zu pairs before the stop", some.pairs);
+}
+
+// Where ids have gaps, pairs come as slots and are named afterwards.
+void check_ids(std::uint64_t) {
+  hg::Memory memory(hg::system_allocator());
+  hg::ParticleStore store(memory, hg::Domain{}, hg::Interaction{}, 1, HUGE_VAL);
+  const double x[12] = {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3}, r[4] = {1, 1, 1, 1};
+  const int32_t second = 2;
+  hg_pair pairs[2] = {{1, 2}, {2, 3}};
+  store.insert(4, x, r);
+  hg::to_ids(pairs, 2, store);
+  require(pairs[0].a == 1 && pairs[1].b == 3, "ids without gaps are final");
+  store.remove(1, &second);
+  store.compact();
+  hg_pair slots[2] = {{0, 1}, {1, 2}};
+  hg::to_ids(slots, 2, store);
+  require(slots[0].a == 1 && slots[0].b == 3 && slots[1].a == 3 && slots[1].b == 4, "(%d, %d), (%d, %d)", slots[0].a,
+          slots[0].b, slots[1].a, slots[1].b);
+}
+
+void every_pair(void **) { assert_true(sweep(40, check_all_pairs)); }
+void any_number_of_threads(void **) { assert_true(sweep(6, check_threads)); }
+void visits(void **) { assert_true(sweep(20, check_visit)); }
+void ids(void **) { assert_true(holds(0, check_ids)); }
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(every_pair),
+      cmocka_unit_test(any_number_of_threads),
+      cmocka_unit_test(visits),
+      cmocka_unit_test(ids),
+  };
+  return cmocka_run_group_tests_name("pair_list", tests, nullptr, nullptr);
+}
