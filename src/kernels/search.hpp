@@ -128,6 +128,7 @@ class Search {
   // What spheres of squared radius half2, their chord with the row, can meet in a row.
   void push_chord(I point, F x, F half2, I row, M wanted) {
     const M meets = V::both(wanted, V::less(V::set(0.0f), half2));
+    if (V::bits(meets) == 0) return;
     const F half = V::sqrt(V::max(V::set(0.0f), half2));
     const I first = V::add(row, cell_of(0, V::sub(x, half)));
     const I last = V::add(row, cell_of(0, V::add(x, half)));
