@@ -16,7 +16,7 @@ constexpr uint32_t kFirstStructSize = sizeof(hg_grid_def);  // of version 0.1, t
 // K of Eq. 7. The paper's value suits its own code, whose tests of candidates are dear beside visits to cells. Ours are
 // cheap, so fewer levels are best; the fit is in docs/performance.md.
 constexpr double kPaperOverhead = 0.3;
-constexpr double kFittedOverhead = 2.0;
+constexpr double kFittedOverhead = 2.2;
 
 void check_choice(const char *name, int32_t value, int32_t least, int32_t greatest) {
   if (value < least || value > greatest) {

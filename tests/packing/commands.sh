@@ -78,9 +78,9 @@ fails 1 "cuts no particle" slice one.csv --at 0 --output none.svg
 fails 2 "--at" slice one.csv --at 1.5 --output none.svg
 
 works bench one.csv --repeats 2 --most-levels 3 --csv bench.csv
-[ "$(head -n 1 bench.csv)" = "rule,levels,median_ns_per_particle,fastest_ns_per_particle,runs,predicted_cost,candidates_per_particle,pairs" ] ||
+[ "$(head -n 1 bench.csv)" = "rule,levels,median_ns_per_particle,fastest_ns_per_particle,runs,paper_cost,fitted_cost,candidates_per_particle,pairs" ] ||
   fault "head of the CSV: $(head -n 1 bench.csv)"
-awk -F, -v pairs="$reported" 'NR > 1 && ($3 <= 0 || $7 < $8 / 3000 || $8 != pairs) { bad = 1 } NR > 1 { ++rows }
+awk -F, -v pairs="$reported" 'NR > 1 && ($3 <= 0 || $8 < $9 / 3000 || $9 != pairs) { bad = 1 } NR > 1 { ++rows }
   END { exit bad || rows != 4 }' bench.csv || fault "rows of the CSV: $(cat bench.csv)"
 fails 1 "no/such.csv" bench no/such.csv
 printf 'x,y,z,r\n' >empty.csv
