@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "crowding.hpp"
 
+#include "level_cells.hpp"
+
 #include <algorithm>
 
 namespace hg {
@@ -12,9 +14,8 @@ constexpr size_t kSample = 4096;
 uint64_t cell_number(const double *center, const Domain &domain, const Frame &frame, const CellTable &cells) {
   uint64_t number = 0;
   for (int k = 0; k < domain.dimension; k++) {
-    const float x = static_cast<float>(frame.coordinate(k, domain.position(k, center[k])));
-    const float cell = std::min(x * cells.inverse_width[k], static_cast<float>(cells.count[k]) - 0.5f);
-    number = number << 20 | static_cast<uint64_t>(cell);
+    const int32_t x = frame.coordinate(k, domain.position(k, center[k]));
+    number = number << 20 | static_cast<uint64_t>(cell_of(cells, k, static_cast<float>(x)));
   }
   return number;
 }

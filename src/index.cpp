@@ -183,10 +183,9 @@ class Builder {
     std::fill(cells, cells + cell_count, 0u);
     uint32_t *bucket = scratch_.row_of.data() + begin;  // no longer needed for rows
     const Record *row = scratch_.sorted.data() + begin;
-    const float inverse = l.cells.inverse_width[0], last = static_cast<float>(l.cells.count[0]) - 0.5f;
+    const CellTable table = l.cells;
     for (uint32_t i = 0; i < end - begin; i++) {
-      // The same map as in the kernels; coordinates are never negative.
-      bucket[i] = static_cast<uint32_t>(static_cast<int32_t>(std::min(static_cast<float>(row[i].x) * inverse, last)));
+      bucket[i] = static_cast<uint32_t>(cell_of(table, 0, static_cast<float>(row[i].x)));
       cells[bucket[i]]++;
     }
     uint32_t sum = begin;

@@ -6,6 +6,7 @@
 #include "frame.hpp"
 #include "kernels/kernel.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -19,6 +20,12 @@ inline constexpr double kCellLength = 0.5;
 // A table of cells takes at most this many per particle of its level.
 inline constexpr double kCellsPerParticle = 4;
 inline constexpr double kFewCells = 64;
+
+// The map from coordinates to cells, as in the kernels, which have copies of their own (kernels/search.hpp, keys.hpp).
+inline int32_t cell_of(const CellTable &cells, int axis, float x) {
+  const float last = static_cast<float>(cells.count[axis]) - 0.5f;
+  return static_cast<int32_t>(std::min(std::max(x * cells.inverse_width[axis], 0.0f), last));
+}
 
 struct LevelCells {
   CellTable table{};

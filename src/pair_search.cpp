@@ -3,6 +3,7 @@
 #include "pair_search.hpp"
 
 #include "kernels/kernel_sets.hpp"
+#include "window.hpp"
 
 #include <limits>
 
@@ -14,11 +15,6 @@ bool decide(PairSink *sink, uint32_t slot_a, uint32_t slot_b, uint8_t image) {
   const auto &store = *static_cast<const ParticleStore *>(sink->store);
   return overlap.test(store.ball(slot_a), store.ball(slot_b), image, sink->exact_count);
 }
-
-// A box around a point in doubles that holds the centres of all its partners on a level.
-struct Window {
-  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
-};
 
 class Search {
  public:
@@ -68,26 +64,10 @@ class Search {
     return points.image != nullptr ? points.image[i] : kNoImage;
   }
 
-  // Rounding is monotone: if |x - y| < reach then y lies between the rounded ends. The factor makes up for the rounding
-  // of the reach itself; positions wrapped into a box, and what HG_DOUBLE computes across it, are off by less than
-  // 2^-28 box lengths.
   Window window(const PointArrays &points, uint32_t i, const IndexLevel &level) const {
-    const Domain &domain = index_.domain;
-    const double *center = store_.center(points.slot[i]);
-    const double reach =
-        index_.interaction.reach(store_.radius(points.slot[i]), level.largest_radius) * (1.0 + 0x1p-50);
-    Window w;
-    for (int k = 0; k < domain.dimension; k++) {
-      double x = domain.position(k, center[k]);
-      double slack = 0;
-      if (domain.periodic[k]) {
-        x += image_step(image_of(points, i), k) * domain.length[k];
-        slack = 0x1p-28 * domain.length[k];
-      }
-      w.low[k] = x - (reach + slack);
-      w.high[k] = x + (reach + slack);
-    }
-    return w;
+    const uint32_t slot = points.slot[i];
+    const double reach = index_.interaction.reach(store_.radius(slot), level.largest_radius);
+    return Window::around(index_.domain, store_.center(slot), image_of(points, i), reach);
   }
 
   bool test(const PointArrays &points, uint32_t i, uint32_t begin, uint32_t end) {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sphere_search.hpp"
 
+#include "level_cells.hpp"
+#include "window.hpp"
+
 #include <algorithm>
-#include <cmath>
 
 namespace hg {
 namespace {
@@ -39,35 +41,25 @@ class SphereSearch {
   }
 
   void search(const IndexLevel &level, Image image) {
-    const Domain &domain = index_.domain;
-    const double reach = index_.interaction.reach(sphere_.radius, level.largest_radius) * (1.0 + 0x1p-50);
-    double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
-    for (int k = 0; k < domain.dimension; k++) {
-      double x = domain.position(k, sphere_.center[k]);
-      double slack = 0;
-      if (domain.periodic[k]) {
-        x += image_step(image, k) * domain.length[k];
-        slack = 0x1p-28 * domain.length[k];
-      }
-      low[k] = x - (reach + slack);
-      high[k] = x + (reach + slack);
-      if (domain.periodic[k] && (high[k] < 0 || low[k] > domain.length[k])) return;
-    }
+    const double reach = index_.interaction.reach(sphere_.radius, level.largest_radius);
+    const Window window = Window::around(index_.domain, sphere_.center, image, reach);
+    if (window.misses_box(index_.domain)) return;
     if (level.sparse) {
-      index_.sparse.visit_box(level.rows, domain.dimension, low, high, [&](uint32_t begin, uint32_t end) {
-        test(begin, end, image);
-        return true;
-      });
+      index_.sparse.visit_box(level.rows, index_.domain.dimension, window.low, window.high,
+                              [&](uint32_t begin, uint32_t end) {
+                                test(begin, end, image);
+                                return true;
+                              });
     } else {
-      search_cells(level, low, high, image);
+      search_cells(level, window, image);
     }
   }
 
-  void search_cells(const IndexLevel &level, const double *low, const double *high, Image image) {
+  void search_cells(const IndexLevel &level, const Window &window, Image image) {
     int32_t first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
     for (int k = 0; k < index_.domain.dimension; k++) {
-      first[k] = cell_of(level.cells, k, low[k], -1.0);
-      last[k] = cell_of(level.cells, k, high[k], 1.0);
+      first[k] = outer_cell(level.cells, k, window.low[k], -1.0);
+      last[k] = outer_cell(level.cells, k, window.high[k], 1.0);
     }
     for (int32_t z = first[2]; z <= last[2]; z++) {
       for (int32_t y = first[1]; y <= last[1]; y++) {
@@ -80,12 +72,10 @@ class SphereSearch {
     }
   }
 
-  // The kernels' map from coordinates to cells, for positions that may lie far outside; `side` says which way to round.
-  int32_t cell_of(const CellTable &cells, int axis, double x, double side) const {
-    const double quanta =
-        std::clamp(index_.frame.quanta(axis, x) + side * static_cast<double>(kWindowSlack), -1.0, kFrameQuanta);
-    const float last = static_cast<float>(cells.count[axis]) - 0.5f;
-    return static_cast<int32_t>(std::min(std::max(static_cast<float>(quanta) * cells.inverse_width[axis], 0.0f), last));
+  // The cell of a window's end, which may lie far outside; `side` says which way it may move.
+  int32_t outer_cell(const CellTable &cells, int axis, double x, double side) const {
+    const double quanta = index_.frame.quanta(axis, x) + side * static_cast<double>(kWindowSlack);
+    return cell_of(cells, axis, static_cast<float>(std::clamp(quanta, -1.0, kFrameQuanta)));
   }
 
   void test(uint32_t begin, uint32_t end, Image image) {

@@ -5,10 +5,10 @@
 #ifndef HGRID_BASE_H
 #define HGRID_BASE_H
 
+#include <hgrid/version.h>
+
 #include <stddef.h>
 #include <stdint.h>
-
-#include <hgrid/version.h>
 
 #if defined(SWIG)
 #define HG_API

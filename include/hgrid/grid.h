@@ -62,7 +62,8 @@ HG_API hg_status hg_build(hg_grid *grid);
 HG_API hg_status hg_query_pairs(hg_grid *grid, const hg_pair **pairs, size_t *count);
 
 /* Hands all pairs to `visit` in batches. With HG_ORDER_GRID nothing is stored: memory stays bounded whatever P.
- * A visitor that returns nonzero ends the visit; the call still returns HG_OK. The visitor runs on the calling thread. */
+ * A visitor that returns nonzero ends the visit; the call still returns HG_OK. The visitor runs on the calling thread.
+ */
 HG_API hg_status hg_visit_pairs(hg_grid *grid, hg_pair_visitor *visit, void *context);
 
 /* Neighbour lists in compressed rows: the neighbours of the k-th live particle in ascending id are

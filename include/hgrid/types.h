@@ -53,16 +53,16 @@ typedef struct hg_pair {
 
 /* How a grid works, fixed when it is created. Fill it with hg_default_grid_def(), then change what you need. */
 typedef struct hg_grid_def {
-  uint32_t struct_size;     /* sizeof(hg_grid_def) of the caller; set by hg_grid_def_init */
-  int32_t dimension;        /* 2 or 3 (3) */
-  int32_t thread_count;     /* 0 = all that the machine offers, 1 = serial; up to 1024 (0) */
-  int32_t index_base;       /* id of the first particle, 0 or 1 (0) */
-  int32_t interaction;      /* HG_CONTACT or HG_MAX_RANGE (HG_CONTACT) */
-  int32_t accuracy;         /* HG_EXACT, HG_DOUBLE or HG_FLOAT (HG_EXACT) */
-  int32_t pair_order;       /* HG_ORDER_GRID or HG_ORDER_ID (HG_ORDER_GRID) */
-  int32_t level_rule;       /* HG_LEVELS_AUTO, HG_LEVELS_PAPER or HG_LEVELS_USER (HG_LEVELS_AUTO) */
-  int32_t level_count;      /* AUTO, PAPER: at most that many levels, 0 = the cheapest; USER: length of cell_sizes (0) */
-  int32_t reserved0;        /* 0 */
+  uint32_t struct_size; /* sizeof(hg_grid_def) of the caller; set by hg_grid_def_init */
+  int32_t dimension;    /* 2 or 3 (3) */
+  int32_t thread_count; /* 0 = all that the machine offers, 1 = serial; up to 1024 (0) */
+  int32_t index_base;   /* id of the first particle, 0 or 1 (0) */
+  int32_t interaction;  /* HG_CONTACT or HG_MAX_RANGE (HG_CONTACT) */
+  int32_t accuracy;     /* HG_EXACT, HG_DOUBLE or HG_FLOAT (HG_EXACT) */
+  int32_t pair_order;   /* HG_ORDER_GRID or HG_ORDER_ID (HG_ORDER_GRID) */
+  int32_t level_rule;   /* HG_LEVELS_AUTO, HG_LEVELS_PAPER or HG_LEVELS_USER (HG_LEVELS_AUTO) */
+  int32_t level_count;  /* AUTO, PAPER: at most that many levels, 0 = the cheapest; USER: length of cell_sizes (0) */
+  int32_t reserved0;    /* 0 */
   const double *cell_sizes; /* USER: [level_count] ascending cell edges > 0, the last >= the largest diameter (largest
                                range for HG_MAX_RANGE) plus margin; copied by hg_create (NULL) */
   double margin;            /* added to every reach, >= 0, caller's length unit (0) */

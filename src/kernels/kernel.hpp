@@ -57,7 +57,7 @@ struct PairSink {
   int64_t candidate_count;
   int64_t undecided_count;
   int64_t exact_count;
-  float band_constant;    // kBandConstant, or infinity to have every candidate decided
+  float band_constant;  // kBandConstant, or infinity to have every candidate decided
 };
 
 // Candidates are handed on in pieces of at most this many, so that a sink needs room for no more at once.
