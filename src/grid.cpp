@@ -73,26 +73,27 @@ bool Grid::is_visited() const {
 
 void Grid::insert(size_t count, const double *centers, const double *radii) {
   store_.insert(count, centers, radii);
-  changed();
+  changed(true);
 }
 
 void Grid::move(size_t count, const double *centers, const double *radii) {
   store_.move(count, centers, radii);
-  changed();
+  changed(radii != nullptr);
 }
 
 void Grid::remove(size_t count, const int32_t *ids) {
   store_.remove(count, ids);
-  changed();
+  changed(true);
 }
 
 void Grid::clear() {
   store_.clear();
-  changed();
+  changed(true);
 }
 
-void Grid::changed() {
+void Grid::changed(bool radii) {
   built_ = false;
+  classes_made_ = classes_made_ && !radii;
   pairs_found_ = false;
   rows_made_[HG_HALF] = rows_made_[HG_FULL] = false;
 }
@@ -106,36 +107,34 @@ void Grid::build_locked() {
   if (built_) return;
   store_.compact();
   const Bounds bounds = bounds_of(store_, definition_.domain, threads_);
-  plan_ = plan(bounds);
-  build_index(index_, scratch_, store_, bounds, plan_, threads_);
-  describe_levels(mean_edge(bounds, definition_.dimension));
-  stats_.build_count++;
-  built_ = true;
-}
-
-LevelPlan Grid::plan(const Bounds &bounds) {
-  if (definition_.level_rule == HG_LEVELS_USER) {
-    return user_levels(definition_.cell_sizes, definition_.level_count, definition_.interaction);
-  }
   LevelRequest request;
   request.dimension = definition_.dimension;
   request.level_count = definition_.level_count;
   request.cell_overhead = definition_.cell_overhead;
   request.edge = mean_edge(bounds, definition_.dimension);
+  request.precision = definition_.level_rule == HG_LEVELS_PAPER ? 0 : kFittedPrecision;
   request.interaction = definition_.interaction;
-  if (definition_.level_rule == HG_LEVELS_PAPER) {
-    classes_.sort_radii(store_.radii(), store_.slots());
-  } else {
-    classes_.bin_radii(store_.radii(), store_.slots());
-    request.precision = kFittedPrecision;
+  plan_ = plan(request);
+  build_index(index_, scratch_, store_, bounds, plan_, threads_);
+  describe_levels(request);
+  stats_.build_count++;
+  built_ = true;
+}
+
+LevelPlan Grid::plan(const LevelRequest &request) {
+  if (definition_.level_rule == HG_LEVELS_USER) {
+    return user_levels(definition_.cell_sizes, definition_.level_count, definition_.interaction);
   }
+  if (!classes_made_ && definition_.level_rule == HG_LEVELS_PAPER) {
+    classes_.sort_radii(store_.radii(), store_.slots());
+  } else if (!classes_made_) {
+    classes_.bin_radii(store_.radii(), store_.slots());
+  }
+  classes_made_ = true;
   return plan_levels(classes_, request);
 }
 
-void Grid::describe_levels(double edge) {
-  LevelRequest request;
-  request.dimension = definition_.dimension;
-  request.edge = edge;
+void Grid::describe_levels(const LevelRequest &request) {
   for (int h = 0; h < index_.level_count; h++) {
     const IndexLevel &level = index_.levels[h];
     const int64_t particles = level.end - level.begin;
@@ -159,9 +158,8 @@ void Grid::find_pairs_locked() {
   if (pairs_found_) return;
   const SearchCounts counts = pairs_.search(index_, store_, overlap_);
   if (definition_.pair_order == HG_ORDER_ID) {
-    const int32_t base = store_.contiguous() ? store_.id_offset() : 0;
-    order_.build(pairs_.data(), pairs_.count(), store_.slots(), base, HG_HALF);
-    order_.write_pairs(pairs_.data(), store_.slots(), base);
+    order_.build(pairs_.data(), pairs_.count(), store_.slots(), store_.id_offset(), HG_HALF);
+    order_.write_pairs(pairs_.data(), store_.slots(), store_.id_offset());
   }
   to_ids(pairs_.data(), pairs_.count(), store_);
   count_search(counts, pairs_.count());
@@ -194,30 +192,31 @@ void Grid::visit_pairs(hg_pair_visitor *visit, void *context) {
   count_search(result.counts, result.pairs);
 }
 
+void Grid::make_rows_locked(int32_t list) {
+  find_pairs_locked();
+  if (rows_made_[list]) return;
+  NeighborRows &rows = rows_[list];
+  const hg_pair *pairs = pairs_.data();
+  if (store_.contiguous()) {
+    rows.build(pairs, pairs_.count(), store_.slots(), store_.id_offset(), list);
+  } else {
+    Buffer<hg_pair> by_slot(memory_);
+    by_slot.require(pairs_.count());
+    for (size_t p = 0; p < pairs_.count(); p++) {
+      by_slot[p] = {static_cast<int32_t>(store_.find(pairs[p].a)), static_cast<int32_t>(store_.find(pairs[p].b))};
+    }
+    rows.build(by_slot.data(), pairs_.count(), store_.slots(), 0, list);
+    const auto count = static_cast<size_t>(rows.offsets()[store_.slots()]);
+    for (size_t k = 0; k < count; k++) rows.neighbors()[k] = store_.id(static_cast<size_t>(rows.neighbors()[k]));
+  }
+  rows_made_[list] = true;
+}
+
 void Grid::query_neighbors(int32_t list, const int64_t **offsets, const int32_t **neighbors) {
   const std::lock_guard lock(mutex_);
-  find_pairs_locked();
-  NeighborRows &rows = rows_[list];
-  if (!rows_made_[list]) {
-    if (store_.contiguous()) {
-      rows.build(pairs_.data(), pairs_.count(), store_.slots(), store_.id_offset(), list);
-    } else {
-      Buffer<hg_pair> by_slot(memory_);
-      by_slot.require(pairs_.count());
-      for (size_t p = 0; p < pairs_.count(); p++) {
-        by_slot[p] = {static_cast<int32_t>(store_.find(pairs_.data()[p].a)),
-                      static_cast<int32_t>(store_.find(pairs_.data()[p].b))};
-      }
-      rows.build(by_slot.data(), pairs_.count(), store_.slots(), 0, list);
-      const auto count = static_cast<size_t>(rows.offsets()[store_.slots()]);
-      for (size_t k = 0; k < count; k++) {
-        rows.neighbors()[k] = store_.id(static_cast<size_t>(rows.neighbors()[k]));
-      }
-    }
-    rows_made_[list] = true;
-  }
-  *offsets = rows.offsets();
-  *neighbors = rows.neighbors();
+  make_rows_locked(list);
+  *offsets = rows_[list].offsets();
+  *neighbors = rows_[list].neighbors();
 }
 
 size_t Grid::query_sphere(const Ball &sphere, Buffer<int32_t> &found) {

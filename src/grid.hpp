@@ -42,15 +42,15 @@ class Grid {
   // True on a thread that is inside a visitor of this grid.
   bool is_visited() const;
   const hg_allocator &allocator() const { return memory_.allocator(); }
-  int dimension() const { return definition_.dimension; }
 
  private:
   void build_locked();
   void find_pairs_locked();
-  LevelPlan plan(const Bounds &bounds);
-  void describe_levels(double edge);
+  LevelPlan plan(const LevelRequest &request);
+  void describe_levels(const LevelRequest &request);
+  void make_rows_locked(int32_t list);
   void count_search(const SearchCounts &counts, size_t pairs);
-  void changed();
+  void changed(bool radii);
 
   Definition definition_;
   int threads_;
@@ -59,6 +59,7 @@ class Grid {
   ParticleStore store_;
   Overlap overlap_;
   SizeClasses classes_;
+  bool classes_made_ = false;  // of the radii as they are; kept while only centres move
   BuildScratch scratch_;
   Index index_;
   LevelPlan plan_;

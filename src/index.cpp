@@ -11,7 +11,6 @@
 #include "search_tasks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace hg {

@@ -16,6 +16,8 @@ bool decide(PairSink *sink, uint32_t slot_a, uint32_t slot_b, uint8_t image) {
   return overlap.test(store.ball(slot_a), store.ball(slot_b), image, sink->exact_count);
 }
 
+static_assert(kItself == kNoImage, "kernels and predicate must mean the same by no image");
+
 class Search {
  public:
   Search(const Index &index, const ParticleStore &store, PairSink &sink)
@@ -61,7 +63,7 @@ class Search {
   }
 
   static Image image_of(const PointArrays &points, uint32_t i) {
-    return points.image != nullptr ? points.image[i] : kNoImage;
+    return points.image != nullptr ? points.image[i] : kItself;
   }
 
   Window window(const PointArrays &points, uint32_t i, const IndexLevel &level) const {
@@ -105,7 +107,7 @@ void prepare_sink(PairSink &sink, const Index &index, const ParticleStore &store
   sink.decide = decide;
   sink.overlap = &overlap;
   sink.store = &store;
-  sink.id_offset = store.contiguous() ? store.id_offset() : 0;
+  sink.id_offset = store.id_offset();
   sink.band_constant = plain_squares_are_clear(index, overlap) ? kBandConstant : std::numeric_limits<float>::infinity();
 }
 

@@ -36,9 +36,9 @@ class ParticleStore {
   const double *radii() const { return radii_.data(); }
   Ball ball(size_t slot) const { return {center(slot), radius(slot)}; }
 
-  // If ids have no gaps, id = slot + id_offset().
+  // While ids have no gaps, id = slot + id_offset(); else id_offset() is 0 and id() has to be asked.
   bool contiguous() const { return contiguous_; }
-  int32_t id_offset() const { return index_base_; }
+  int32_t id_offset() const { return contiguous_ ? index_base_ : 0; }
   int32_t id(size_t slot) const { return contiguous_ ? index_base_ + static_cast<int32_t>(slot) : ids_[slot]; }
   // The slot of an id that is stored (removed or not), or slots() if there is none.
   size_t find(int64_t id) const;

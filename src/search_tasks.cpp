@@ -7,7 +7,6 @@
 namespace hg {
 namespace {
 
-constexpr uint32_t kBlock = 16;      // the kernels' block: tasks hold whole ones
 constexpr double kTaskRows = 16384;  // rows of cells that a task visits, about
 
 // How many rows of `target` a particle of `level` visits.

@@ -3,7 +3,6 @@
 // The functions of include/hgrid/grid.h and types.h.
 #include "guard.hpp"
 
-#include <cmath>
 #include <cstring>
 
 using hg::check_pointer;

@@ -9,7 +9,6 @@
 #include <hgrid/grid.h>
 
 #include <new>
-#include <utility>
 
 struct hg_grid {
   hg::Grid grid;

@@ -30,8 +30,12 @@ struct PointArrays {
   const int32_t *x, *y, *z;  // z is not read in 2D
   const float *radius;
   const uint32_t *slot;
-  const uint8_t *image;  // which periodic image the points stand for; NULL: themselves
+  const uint8_t *image;  // which periodic image the points stand for; NULL: kItself, all of them
 };
+inline constexpr uint8_t kItself = 13;
+
+// Particles that step through the stencil together. The order of the pairs depends on it, so work is cut at multiples.
+inline constexpr uint32_t kBlock = 16;
 
 // The cells of one level: rows along x, stacked in y and z. Cell c of row (y, z) begins at
 // cell_begin[(z * count[1] + y) * count[0] + c] in the sorted particles, and ends where the next cell begins.

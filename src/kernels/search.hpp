@@ -16,7 +16,6 @@ static_assert(FLT_EVAL_METHOD == 0, "extended precision would make cells and pai
 namespace hg {
 namespace {
 
-constexpr uint32_t kBlock = 16;
 constexpr uint32_t kMaxRanges = 1024;  // candidate ranges collected before they are tested
 constexpr int32_t kManyRows = 3 * 16;  // rows above which lanes stand for rows instead of particles
 
@@ -278,7 +277,6 @@ class Search {
   static uint32_t lanes_before(uint32_t count) { return count >= kLanes ? (1u << kLanes) - 1u : (1u << count) - 1u; }
 
   __attribute__((noinline)) uint32_t settle(uint32_t i, uint32_t j, uint32_t found, uint32_t sure) {
-    constexpr uint8_t kItself = 13;  // kNoImage of domain.hpp
     const uint8_t image = points_.image != nullptr ? points_.image[i] : kItself;
     for (uint32_t open = found ^ sure; open != 0; open &= open - 1) {
       const auto lane = static_cast<uint32_t>(__builtin_ctz(open));
