@@ -12,6 +12,7 @@ namespace {
 // relative to the least one present, sums become integers of at most 2097 + 53 + 33 (factor) + 3 (terms, sign) bits.
 constexpr int kMaxLimbs = 35;
 using Limb = uint64_t;
+__extension__ typedef __int128 Wide;
 __extension__ typedef unsigned __int128 WideLimb;
 
 struct Parts {
@@ -117,6 +118,41 @@ struct ExponentRange {
   }
 };
 
+// Terms of 53 + 33 bits that lie at most this far apart have a sum of 126 bits.
+constexpr int kWordShift = 37;
+
+// |sum| in units of 2^least_exponent if it is below 2^63: nearly always so for particles that nearly touch, whose
+// coordinates cancel.
+bool fits_word(const ExactSum &sum, int least_exponent, Limb &size) {
+  Wide total = 0;
+  for (int k = 0; k < sum.count; k++) {
+    const Parts parts = decompose(sum.terms[k].value);
+    if (parts.mantissa == 0 || sum.terms[k].factor == 0) continue;
+    const Wide term =
+        static_cast<Wide>(parts.mantissa) * sum.terms[k].factor * (Wide{1} << (parts.exponent - least_exponent));
+    total += parts.negative ? -term : term;
+  }
+  const Wide positive = total < 0 ? -total : total;
+  size = static_cast<Limb>(positive);
+  return positive >> 63 == 0;
+}
+
+// Decides with squares of single words where it can.
+bool decide_in_words(const ExactSum *difference, int dimension, const ExactSum &reach, const ExponentRange &range,
+                     bool &less) {
+  if (range.greatest - range.least > kWordShift) return false;
+  Limb size = 0;
+  if (!fits_word(reach, range.least, size)) return false;
+  const WideLimb reach2 = static_cast<WideLimb>(size) * size;
+  WideLimb distance2 = 0;  // three squares below 2^126 each
+  for (int k = 0; k < dimension; k++) {
+    if (!fits_word(difference[k], range.least, size)) return false;
+    distance2 += static_cast<WideLimb>(size) * size;
+  }
+  less = distance2 < reach2;
+  return true;
+}
+
 }  // namespace
 
 bool exact_less(const ExactSum *difference, int dimension, const ExactSum &reach) {
@@ -124,6 +160,8 @@ bool exact_less(const ExactSum *difference, int dimension, const ExactSum &reach
   range.include(reach);
   for (int k = 0; k < dimension; k++) range.include(difference[k]);
   if (range.greatest < range.least) return false;  // every term is zero
+  bool less = false;
+  if (decide_in_words(difference, dimension, reach, range, less)) return less;
   const int limbs = (range.greatest - range.least + 53 + 33 + 3) / 64 + 1;
 
   Limb left[2 * kMaxLimbs + 1], right[2 * kMaxLimbs + 1];

@@ -19,6 +19,7 @@ class ListSink : public PairSink {
     point_to(0);
     make_room = [](PairSink *sink, size_t more) {
       auto &self = *static_cast<ListSink *>(sink);
+      self.settle(sink);
       const size_t used = self.count();
       self.pairs_.grow(used + more);
       self.point_to(used);

@@ -5,6 +5,7 @@
 #include "kernels/kernel_sets.hpp"
 #include "window.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace hg {
@@ -14,6 +15,20 @@ bool decide(PairSink *sink, uint32_t slot_a, uint32_t slot_b, uint8_t image) {
   const auto &overlap = *static_cast<const Overlap *>(sink->overlap);
   const auto &store = *static_cast<const ParticleStore *>(sink->store);
   return overlap.test(store.ball(slot_a), store.ball(slot_b), image, sink->exact_count);
+}
+
+void settle(PairSink *sink) {
+  hg_pair *to = nullptr;  // where the pairs from `from` on go, once one has been taken out
+  hg_pair *from = nullptr;
+  for (uint32_t k = 0; k < sink->open_count; k++) {
+    const OpenPair &open = sink->open[k];
+    if (decide(sink, open.slot_a, open.slot_b, open.image)) continue;
+    to = to == nullptr ? open.at : std::copy(from, open.at, to);
+    from = open.at + 1;
+  }
+  if (to != nullptr) sink->next = std::copy(from, sink->next, to);
+  sink->undecided_count += sink->open_count;
+  sink->open_count = 0;
 }
 
 static_assert(kItself == kNoImage, "kernels and predicate must mean the same by no image");
@@ -104,15 +119,20 @@ bool plain_squares_are_clear(const Index &index, const Overlap &overlap) {
 }  // namespace
 
 void prepare_sink(PairSink &sink, const Index &index, const ParticleStore &store, const Overlap &overlap) {
-  sink.decide = decide;
+  sink.settle = settle;
   sink.overlap = &overlap;
   sink.store = &store;
+  sink.centers = store.centers();
+  sink.radii = store.radii();
+  sink.dimension = static_cast<uint32_t>(index.domain.dimension);
   sink.id_offset = store.id_offset();
   sink.band_constant = plain_squares_are_clear(index, overlap) ? kBandConstant : std::numeric_limits<float>::infinity();
 }
 
 bool search_task(const SearchTask &task, const Index &index, const ParticleStore &store, PairSink &sink) {
-  return Search(index, store, sink).run(task);
+  const bool go_on = Search(index, store, sink).run(task);
+  settle(&sink);
+  return go_on;
 }
 
 }  // namespace hg

@@ -18,7 +18,10 @@ class VisitSink : public PairSink {
     batch_.require(kVisitBatch);
     next = batch_.data();
     limit = batch_.data() + kVisitBatch;
-    make_room = [](PairSink *sink, size_t) { return static_cast<VisitSink *>(sink)->flush(); };
+    make_room = [](PairSink *sink, size_t) {
+      sink->settle(sink);
+      return static_cast<VisitSink *>(sink)->flush();
+    };
   }
 
   // Hands over what has gathered. False once the visitor has had enough.

@@ -47,17 +47,31 @@ struct CellTable {
   const uint32_t *cell_begin;
 };
 
+// A pair that the fast test leaves open. It stands among the found pairs until settled.
+struct OpenPair {
+  hg_pair *at;
+  uint32_t slot_a, slot_b;
+  uint8_t image;  // of slot_a
+};
+
+// As many wait for the caller's doubles to arrive in cache.
+inline constexpr uint32_t kMaxOpen = 64;
+
 // Where found pairs go: `next` .. `limit` is room for pairs, kPadding of them for writing beyond the end.
 struct PairSink {
   hg_pair *next;
   hg_pair *limit;
-  // Makes room for `count` pairs more; false ends the search.
+  // Settles what is open and makes room for `count` pairs more; false ends the search.
   bool (*make_room)(PairSink *sink, size_t count);
-  // Decides a pair that the fast test leaves open.
-  bool (*decide)(PairSink *sink, uint32_t slot_a, uint32_t slot_b, uint8_t image);
+  // Decides the open pairs and takes those out that do not interact.
+  void (*settle)(PairSink *sink);
   const void *overlap;
   const void *store;
+  const double *centers, *radii;  // of the store, to fetch ahead
+  uint32_t dimension;
   int32_t id_offset;
+  uint32_t open_count;
+  OpenPair open[kMaxOpen];  // in the order of the pairs
   int64_t candidate_count;
   int64_t undecided_count;
   int64_t exact_count;

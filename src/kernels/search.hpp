@@ -264,10 +264,10 @@ class Search {
       const F band =
           V::add(V::mul(reach, V::add(V::mul(reach, V::set(kBandSquare)), V::set(kBandLinear))), band_constant);
       const uint32_t here = lanes_before(end - j);
-      uint32_t found = V::bits(V::less(t, band)) & here;
+      const uint32_t found = V::bits(V::less(t, band)) & here;
       if (kLanes == 1 && found == 0) continue;
       const uint32_t sure = V::bits(V::less(V::add(t, band), V::set(0.0f))) & here;
-      if (__builtin_expect(found != sure, 0)) found = settle(i, j, found, sure);
+      if (__builtin_expect(found != sure, 0)) next = leave_open(i, j, found, found ^ sure, next);
       next = V::emit(next, slot, others.slot + j, found, offset);
     }
     sink_->next = next;
@@ -276,14 +276,32 @@ class Search {
 
   static uint32_t lanes_before(uint32_t count) { return count >= kLanes ? (1u << kLanes) - 1u : (1u << count) - 1u; }
 
-  __attribute__((noinline)) uint32_t settle(uint32_t i, uint32_t j, uint32_t found, uint32_t sure) {
-    const uint8_t image = points_.image != nullptr ? points_.image[i] : kItself;
-    for (uint32_t open = found ^ sure; open != 0; open &= open - 1) {
-      const auto lane = static_cast<uint32_t>(__builtin_ctz(open));
-      sink_->undecided_count++;
-      if (!sink_->decide(sink_, points_.slot[i], particles_.slot[j + lane], image)) found &= ~(1u << lane);
+  // Notes which of the pairs about to be written at `next` are open. Returns where to write, as settling the ones
+  // before may take some out.
+  __attribute__((noinline)) hg_pair *leave_open(uint32_t i, uint32_t j, uint32_t found, uint32_t open, hg_pair *next) {
+    if (sink_->open_count + kLanes > kMaxOpen) {
+      sink_->next = next;
+      sink_->settle(sink_);
+      next = sink_->next;
     }
-    return found;
+    const uint8_t image = points_.image != nullptr ? points_.image[i] : kItself;
+    const uint32_t slot = points_.slot[i];
+    fetch_ahead(slot);
+    for (; open != 0; open &= open - 1) {
+      const auto lane = static_cast<uint32_t>(__builtin_ctz(open));
+      const uint32_t other = particles_.slot[j + lane];
+      fetch_ahead(other);
+      hg_pair *at = next + __builtin_popcount(found & ((1u << lane) - 1u));
+      sink_->open[sink_->open_count++] = {at, slot, other, image};
+    }
+    return next;
+  }
+
+  void fetch_ahead(uint32_t slot) const {
+    const double *center = sink_->centers + static_cast<size_t>(slot) * D;
+    __builtin_prefetch(center);
+    __builtin_prefetch(center + (D - 1));  // may lie on the next cache line
+    __builtin_prefetch(sink_->radii + slot);
   }
 
   const PointArrays &points_;
