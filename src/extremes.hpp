@@ -4,14 +4,12 @@
 // doubles on their own.
 #pragma once
 
+#include "kernels/kernel.hpp"
+
 #include <cstddef>
 #include <cstdint>
 
 namespace hg {
-
-struct Extremes {
-  double least, greatest;
-};
 
 // Of columns of a [count][Columns] array, count > 0.
 template <size_t Columns>

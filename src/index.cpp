@@ -117,40 +117,36 @@ class Builder {
   // Counting sort by (level, row), stable. Each part of the particles counts for itself.
   void scatter_into_rows() {
     const size_t stride = rows_ + 1;
-    scratch_.records.require(count_);
     scratch_.row_of.require(count_);
     scratch_.row_begin.require(stride * parts_);
-    scratch_.sorted.require(count_ + kPadding);
-    scratch_.sorted_slot.require(count_);
     KeyLevel levels[HG_MAX_LEVELS];
     const KeyInput input = key_input(levels);
+    const BuildKernel &kernel = active_kernels().build[D - 2];
     uint32_t *begin = scratch_.row_begin.data();
     parallel_for(threads_, parts_, [&](size_t part, int) {
       std::fill(begin + part * stride, begin + (part + 1) * stride, 0u);
-      KeyOutput keys{scratch_.records.data(), scratch_.row_of.data(), begin + part * stride};
-      active_kernels().keys[D - 2](input, part_begin(part), part_begin(part + 1), keys);
+      kernel.find_rows(input, part_begin(part), part_begin(part + 1), {scratch_.row_of.data(), begin + part * stride});
     });
     uint32_t sum = 0;
     for (size_t row = 0; row <= rows_; row++) {
+      const uint32_t row_starts = sum;
       for (size_t part = 0; part < parts_; part++) {
         const uint32_t here = begin[part * stride + row];
         begin[part * stride + row] = sum;
         sum += here;
       }
+      longest_row_ = std::max<size_t>(longest_row_, sum - row_starts);
     }
-    parallel_for(threads_, parts_,
-                 [&](size_t part, int) { scatter(begin + part * stride, part_begin(part), part_begin(part + 1)); });
+    scratch_.row.require(2 * longest_row_ * static_cast<size_t>(threads_));
+    PointStore &points = index_.particles;
+    parallel_for(threads_, parts_, [&](size_t part, int) {
+      kernel.put_into_rows(input, part_begin(part), part_begin(part + 1),
+                           {scratch_.row_of.data(), begin + part * stride, points.x.data(), points.y.data(),
+                            points.z.data(), points.radius.data(), points.slot.data()});
+    });
     // The last part's begins have moved to where the next row begins.
     std::memmove(begin + 1, begin + (parts_ - 1) * stride, rows_ * sizeof *begin);
     begin[0] = 0;
-  }
-
-  void scatter(uint32_t *begin, size_t first, size_t last) {
-    for (size_t slot = first; slot < last; slot++) {
-      const uint32_t at = begin[scratch_.row_of[slot]]++;
-      scratch_.sorted[at] = scratch_.records[slot];
-      scratch_.sorted_slot[at] = static_cast<uint32_t>(slot);
-    }
   }
 
   void sort_level(int h) {
@@ -164,40 +160,45 @@ class Builder {
     uint32_t *cells = index_.cell_begin.data() + cell_base_[h];
     const uint32_t *row_begin = scratch_.row_begin.data() + row_base_[h];
     const auto row_cells = static_cast<size_t>(l.cells.count[0]);
-    parallel_for(threads_, kRowTasks, [&](size_t task, int) {
+    parallel_for(threads_, kRowTasks, [&](size_t task, int worker) {
+      uint32_t *room = scratch_.row.data() + static_cast<size_t>(worker) * 2 * longest_row_;
       for (size_t row = rows * task / kRowTasks; row < rows * (task + 1) / kRowTasks; row++) {
-        sort_row(l, row_begin[row], row_begin[row + 1], cells + row * row_cells);
+        sort_row(l, row_begin[row], row_begin[row + 1], cells + row * row_cells, room);
       }
     });
     cells[rows * row_cells] = l.end;
   }
 
-  // Counting sort of one row by cell; fills the row's part of the table.
-  void sort_row(const IndexLevel &l, uint32_t begin, uint32_t end, uint32_t *cells) {
+  // Counting sort of one row by cell, stable; fills the row's part of the table. `room` is for 2 words per particle.
+  void sort_row(const IndexLevel &l, uint32_t begin, uint32_t end, uint32_t *cells, uint32_t *room) {
     const auto cell_count = static_cast<size_t>(l.cells.count[0]);
     if (begin == end) {
       std::fill(cells, cells + cell_count, begin);
       return;
     }
     std::fill(cells, cells + cell_count, 0u);
-    uint32_t *bucket = scratch_.row_of.data() + begin;  // no longer needed for rows
-    const Record *row = scratch_.sorted.data() + begin;
+    PointStore &points = index_.particles;
+    const int32_t *x = points.x.data() + begin;
+    const size_t count = end - begin;
+    uint32_t *to = room;
     const CellTable table = l.cells;
-    for (uint32_t i = 0; i < end - begin; i++) {
-      bucket[i] = static_cast<uint32_t>(cell_of(table, 0, static_cast<float>(row[i].x)));
-      cells[bucket[i]]++;
-    }
+    for (size_t i = 0; i < count; i++) to[i] = static_cast<uint32_t>(cell_of(table, 0, static_cast<float>(x[i])));
+    for (size_t i = 0; i < count; i++) cells[to[i]]++;
     uint32_t sum = begin;
     for (size_t c = 0; c < cell_count; c++) cells[c] = sum += cells[c];
-    for (uint32_t i = end - begin; i-- > 0;) place(--cells[bucket[i]], row[i], scratch_.sorted_slot[begin + i]);
+    for (size_t i = count; i-- > 0;) to[i] = --cells[to[i]];
+    permute(points.x, to, begin, count, room + count);
+    permute(points.y, to, begin, count, room + count);
+    if (D == 3) permute(points.z, to, begin, count, room + count);
+    permute(points.radius, to, begin, count, room + count);
+    permute(points.slot, to, begin, count, room + count);
   }
 
-  void place(uint32_t at, const Record &record, uint32_t slot) {
-    index_.particles.x[at] = record.x;
-    index_.particles.y[at] = record.y;
-    if (D == 3) index_.particles.z[at] = record.z;
-    index_.particles.radius[at] = record.radius;
-    index_.particles.slot[at] = slot;
+  template <class T>
+  static void permute(Buffer<T> &column, const uint32_t *to, uint32_t begin, size_t count, uint32_t *room) {
+    static_assert(sizeof(T) == sizeof(uint32_t));
+    std::memcpy(room, column.data() + begin, count * sizeof(T));
+    for (size_t i = 0; i < count; i++) std::memcpy(column.data() + to[i], room + i, sizeof(T));
   }
 
   void sort_sparse(IndexLevel &l) {
@@ -205,14 +206,21 @@ class Builder {
     double origin[3] = {0, 0, 0};
     for (int k = 0; k < D; k++) origin[k] = 2 * index_.frame.half_origin[k];
     uint32_t *slots = index_.particles.slot.data() + l.begin;
-    std::copy(scratch_.sorted_slot.data() + l.begin, scratch_.sorted_slot.data() + l.end, slots);
     // Any width will do for correctness; a level of points alone (s_h = 0) still needs one.
     const double width = std::max(l.plan.cell_size, 1.0 / index_.frame.scale);
     l.rows = index_.sparse.add_level(store_, index_.domain, origin, width, slots, l.begin, count);
-    for (uint32_t i = l.begin; i < l.end; i++) {
-      const uint32_t slot = index_.particles.slot[i];
-      place(i, scratch_.records[slot], slot);
+    for (uint32_t i = l.begin; i < l.end; i++) place(i, index_.particles.slot[i]);
+  }
+
+  // As the kernels that scatter do.
+  void place(uint32_t at, uint32_t slot) {
+    int32_t *coordinates[3] = {index_.particles.x.data(), index_.particles.y.data(), index_.particles.z.data()};
+    for (int k = 0; k < D; k++) {
+      const double position = index_.domain.position(k, store_.center(slot)[k]);
+      coordinates[k][at] = index_.frame.coordinate(k, position);
     }
+    index_.particles.radius[at] =
+        static_cast<float>(index_.interaction.folded_radius(store_.radius(slot)) * index_.frame.scale);
   }
 
   Index &index_;
@@ -222,6 +230,7 @@ class Builder {
   int threads_;
   size_t parts_;  // into which the particles are cut to count and to scatter them
   size_t rows_ = 0;
+  size_t longest_row_ = 0;
   size_t row_base_[HG_MAX_LEVELS] = {};
   size_t cell_base_[HG_MAX_LEVELS] = {};
 };

@@ -77,13 +77,10 @@ class Index {
 
 // What building needs besides the index, kept between builds.
 struct BuildScratch {
-  explicit BuildScratch(Memory &memory)
-      : records(memory), row_of(memory), row_begin(memory), sorted(memory), sorted_slot(memory) {}
-  Buffer<Record> records;  // in slot order
-  Buffer<uint32_t> row_of;
-  Buffer<uint32_t> row_begin;
-  Buffer<Record> sorted;  // by row
-  Buffer<uint32_t> sorted_slot;
+  explicit BuildScratch(Memory &memory) : row_of(memory), row_begin(memory), row(memory) {}
+  Buffer<uint32_t> row_of;     // of each particle, in slot order
+  Buffer<uint32_t> row_begin;  // for each part of the particles
+  Buffer<uint32_t> row;        // for each worker, room to sort a row: 2 words per particle
 };
 
 // Sorts the particles of the store (which has no gaps) into the levels of the plan. O(N) for dense levels.

@@ -5,14 +5,38 @@
 #include "error.hpp"
 
 #include <cstdlib>
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
 
 namespace hg {
+
+namespace {
+
+// Building scatters over all of memory, where small pages cost a table walk each: asks for large ones. Advice only.
+void *with_large_pages(void *memory, size_t size) {
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  constexpr uintptr_t kLargePage = uintptr_t{1} << 21;
+  const uintptr_t begin = reinterpret_cast<uintptr_t>(memory);
+  const uintptr_t first = (begin + kLargePage - 1) / kLargePage * kLargePage;
+  const uintptr_t last = (begin + size) / kLargePage * kLargePage;
+  if (memory != nullptr && size >= 2 * kLargePage)
+    madvise(reinterpret_cast<void *>(first), last - first, MADV_HUGEPAGE);
+#else
+  (void)size;
+#endif
+  return memory;
+}
+
+}  // namespace
 
 hg_allocator system_allocator() {
   hg_allocator allocator;
   allocator.context = nullptr;
-  allocator.allocate = [](void *, size_t size) { return std::malloc(size); };
-  allocator.reallocate = [](void *, void *memory, size_t, size_t size) { return std::realloc(memory, size); };
+  allocator.allocate = [](void *, size_t size) { return with_large_pages(std::malloc(size), size); };
+  allocator.reallocate = [](void *, void *memory, size_t, size_t size) {
+    return with_large_pages(std::realloc(memory, size), size);
+  };
   allocator.release = [](void *, void *memory, size_t) { std::free(memory); };
   return allocator;
 }

@@ -4,6 +4,8 @@
 
 #include "error.hpp"
 #include "exact_sign.hpp"
+#include "kernels/kernel_sets.hpp"
+#include "parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,28 +18,31 @@ namespace {
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr int64_t kMaxId = std::numeric_limits<int32_t>::max();
 
-// Written so that it holds for NaN too, and without branches so that it vectorises.
-bool all_finite(const double *values, size_t count) {
-  size_t bad = 0;
-  for (size_t i = 0; i < count; i++) bad += !(std::fabs(values[i]) <= kLargest);
-  return bad == 0;
+// One for each task, whatever the number of particles.
+constexpr size_t kMaxTasks = 64;
+constexpr size_t kLeastTask = 16384;
+
+void include(Extremes &all, const Extremes &more) {
+  all.least = std::min(all.least, more.least);
+  all.greatest = std::max(all.greatest, more.greatest);
 }
 
-bool all_not_negative(const double *values, size_t count) {
-  size_t bad = 0;
-  for (size_t i = 0; i < count; i++) bad += !(values[i] >= 0);
-  return bad == 0;
+void include(Survey &all, const Survey &more) {
+  for (int k = 0; k < 3; k++) include(all.axis[k], more.axis[k]);
+  include(all.radius, more.radius);
+  all.finite = all.finite && more.finite;
 }
 
 }  // namespace
 
 ParticleStore::ParticleStore(Memory &memory, const Domain &domain, const Interaction &interaction, int32_t index_base,
-                             double largest_diameter)
+                             double largest_diameter, int threads)
     : domain_(domain),
       interaction_(interaction),
       dimension_(static_cast<size_t>(domain.dimension)),
       index_base_(index_base),
       largest_diameter_(largest_diameter),
+      threads_(threads),
       next_id_(index_base),
       centers_(memory),
       radii_(memory),
@@ -49,18 +54,21 @@ void ParticleStore::insert(size_t count, const double *centers, const double *ra
   if (static_cast<uint64_t>(count) > static_cast<uint64_t>(kMaxId - next_id_) + 1) {
     fail(HG_ERR_LIMIT, "%zu particles more: ids would pass %lld", count, static_cast<long long>(kMaxId));
   }
-  check(count, centers, radii);
   centers_.grow((slots_ + count) * dimension_);
   radii_.grow(slots_ + count);
   if (!contiguous_) ids_.grow(slots_ + count);
   if (removed_ > 0) dead_.grow(slots_ + count);
 
-  std::memcpy(centers_.data() + slots_ * dimension_, centers, count * dimension_ * sizeof(double));
-  std::memcpy(radii_.data() + slots_, radii, count * sizeof(double));
+  // Copied beyond what counts, so that nothing has changed if the check fails.
+  const SurveyInput input{count, centers, radii, centers_.data() + slots_ * dimension_, radii_.data() + slots_};
+  const Survey found = look_at(input);
+  check(input, found);
   for (size_t i = 0; !contiguous_ && i < count; i++) {
     ids_[slots_ + i] = static_cast<int32_t>(next_id_ + static_cast<int64_t>(i));
   }
   if (removed_ > 0) std::memset(dead_.data() + slots_, 0, count);
+  if (slots_ == 0) survey_ = found;
+  include(survey_, found);
   slots_ += count;
   next_id_ += static_cast<int64_t>(count);
 }
@@ -70,10 +78,14 @@ void ParticleStore::move(size_t count, const double *centers, const double *radi
     fail(HG_ERR_ARGUMENT, "count is %zu but the grid holds %zu particles", count, live_count());
   }
   if (count == 0) return;
-  check(count, centers, radii);
+  const SurveyInput input{count, centers, radii, nullptr, nullptr};
+  Survey found = look_at(input);
+  check(input, found);
   compact();
   std::memcpy(centers_.data(), centers, count * dimension_ * sizeof(double));
   if (radii != nullptr) std::memcpy(radii_.data(), radii, count * sizeof(double));
+  if (radii == nullptr) found.radius = survey_.radius;
+  survey_ = found;
 }
 
 void ParticleStore::remove(size_t count, const int32_t *ids) {
@@ -116,6 +128,7 @@ void ParticleStore::compact() noexcept {
   }
   slots_ = to;
   removed_ = 0;
+  if (slots_ > 0) survey_ = look_at({slots_, centers_.data(), radii_.data(), nullptr, nullptr});
 }
 
 size_t ParticleStore::find(int64_t id) const {
@@ -128,30 +141,48 @@ size_t ParticleStore::find(int64_t id) const {
   return found != end && *found == id ? static_cast<size_t>(found - ids_.data()) : slots_;
 }
 
-void ParticleStore::check(size_t count, const double *centers, const double *radii) const {
-  const bool good = all_finite(centers, count * dimension_) &&
-                    (radii == nullptr || (all_finite(radii, count) && all_not_negative(radii, count)));
-  if (!good) report(count, centers, radii);
-  if (domain_.any_periodic) {
-    for (size_t i = 0; i < count; i++) check_wraps(i, centers + i * dimension_);
+Survey ParticleStore::look_at(const SurveyInput &input) const {
+  const auto kernel = active_kernels().survey[dimension_ - 2];
+  const size_t tasks = std::clamp<size_t>(input.count / kLeastTask, 1, kMaxTasks);
+  Survey found[kMaxTasks];
+  parallel_for(input.count < kWorthThreads ? 1 : threads_, tasks, [&](size_t task, int) {
+    const size_t first = input.count * task / tasks;
+    const auto from = [first](auto *array, size_t columns) {
+      return array == nullptr ? nullptr : array + first * columns;
+    };
+    found[task] = kernel({input.count * (task + 1) / tasks - first, from(input.centers, dimension_),
+                          from(input.radii, 1), from(input.center_copy, dimension_), from(input.radius_copy, 1)});
+  });
+  for (size_t task = 1; task < tasks; task++) include(found[0], found[task]);
+  return found[0];
+}
+
+void ParticleStore::check(const SurveyInput &input, const Survey &found) const {
+  if (!found.finite || found.radius.least < 0) report(input.count, input.centers, input.radii);
+  check_wraps(input, found);
+  if (input.radii == nullptr) return;
+  const double radius = found.radius.greatest;
+  const auto index = static_cast<size_t>(std::find(input.radii, input.radii + input.count, radius) - input.radii);
+  if (!(interaction_.diameter(radius) <= kLargest)) {
+    fail(HG_ERR_LIMIT, "radii[%zu] = %g: its diameter with margin overflows", index, radius);
   }
-  if (radii == nullptr) return;
-  const size_t index = static_cast<size_t>(std::max_element(radii, radii + count) - radii);
-  if (!(interaction_.diameter(radii[index]) <= kLargest)) {
-    fail(HG_ERR_LIMIT, "radii[%zu] = %g: its diameter with margin overflows", index, radii[index]);
-  }
-  check_box(index, radii[index]);
-  if (interaction_.diameter(radii[index]) > largest_diameter_) {
+  check_box(index, radius);
+  if (interaction_.diameter(radius) > largest_diameter_) {
     fail(HG_ERR_ARGUMENT, "radii[%zu] = %g: its diameter with margin is %g, but the last of cell_sizes is %g", index,
-         radii[index], interaction_.diameter(radii[index]), largest_diameter_);
+         radius, interaction_.diameter(radius), largest_diameter_);
   }
 }
 
-void ParticleStore::check_wraps(size_t index, const double *center) const {
+void ParticleStore::check_wraps(const SurveyInput &input, const Survey &found) const {
   for (int k = 0; k < domain_.dimension; k++) {
-    if (domain_.periodic[k] && !(std::fabs(domain_.wraps(k, center[k])) <= kMaxWraps)) {
-      fail(HG_ERR_LIMIT, "centers[%zu][%d] = %g: more than 2^20 box lengths outside the periodic box [%g, %g]", index,
-           k, center[k], domain_.box_min[k], domain_.box_max[k]);
+    if (!domain_.periodic[k]) continue;
+    const auto too_far = [this, k](double x) { return !(std::fabs(domain_.wraps(k, x)) <= kMaxWraps); };
+    if (!too_far(found.axis[k].least) && !too_far(found.axis[k].greatest)) continue;
+    for (size_t i = 0; i < input.count; i++) {
+      const double x = input.centers[i * dimension_ + static_cast<size_t>(k)];
+      if (!too_far(x)) continue;
+      fail(HG_ERR_LIMIT, "centers[%zu][%d] = %g: more than 2^20 box lengths outside the periodic box [%g, %g]", i, k, x,
+           domain_.box_min[k], domain_.box_max[k]);
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include "domain.hpp"
 #include "interaction.hpp"
+#include "kernels/kernel.hpp"
 #include "memory.hpp"
 #include "overlap.hpp"
 
@@ -18,7 +19,7 @@ class ParticleStore {
  public:
   // `largest_diameter`: what the coarsest user-given cell can hold; infinite if cells follow the particles.
   ParticleStore(Memory &memory, const Domain &domain, const Interaction &interaction, int32_t index_base,
-                double largest_diameter);
+                double largest_diameter, int threads = 1);
 
   // Throws and changes nothing if a value is bad.
   void insert(size_t count, const double *centers, const double *radii);
@@ -34,6 +35,8 @@ class ParticleStore {
   double radius(size_t slot) const { return radii_[slot]; }
   const double *centers() const { return centers_.data(); }
   const double *radii() const { return radii_.data(); }
+  // Extremes of all that is stored, after compact(). Defined while slots() > 0.
+  const Survey &survey() const { return survey_; }
   Ball ball(size_t slot) const { return {center(slot), radius(slot)}; }
 
   // While ids have no gaps, id = slot + id_offset(); else id_offset() is 0 and id() has to be asked.
@@ -44,8 +47,10 @@ class ParticleStore {
   size_t find(int64_t id) const;
 
  private:
-  void check(size_t count, const double *centers, const double *radii) const;
-  void check_wraps(size_t index, const double *center) const;
+  Survey look_at(const SurveyInput &input) const;
+  // Throws if something is wrong with the arrays that `found` is about.
+  void check(const SurveyInput &input, const Survey &found) const;
+  void check_wraps(const SurveyInput &input, const Survey &found) const;
   void check_box(size_t index, double radius) const;
   [[noreturn]] void report(size_t count, const double *centers, const double *radii) const;
 
@@ -54,7 +59,9 @@ class ParticleStore {
   size_t dimension_;
   int32_t index_base_;
   double largest_diameter_;
+  int threads_;
   int64_t next_id_;
+  Survey survey_{};
   size_t slots_ = 0;
   size_t removed_ = 0;
   bool contiguous_ = true;

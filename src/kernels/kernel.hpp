@@ -90,6 +90,23 @@ struct SearchKernel {
                       const PointArrays &particles, PairSink *sink);
 };
 
+struct Extremes {
+  double least, greatest;
+};
+
+// Arrays of count > 0 particles, and where to copy them.
+struct SurveyInput {
+  size_t count;
+  const double *centers, *radii;      // radii may be NULL
+  double *center_copy, *radius_copy;  // may be NULL
+};
+
+struct Survey {
+  Extremes axis[3];  // of the centres
+  Extremes radius;
+  bool finite;  // without it the extremes mean nothing
+};
+
 // What building needs to know of a level: rows are numbered row_base + z * count_y + y. A level without a table of
 // cells has zero inverse widths and a single row.
 struct KeyLevel {
@@ -107,24 +124,31 @@ struct KeyInput {
   const KeyLevel *levels;
 };
 
-struct Record {
-  int32_t x, y, z;
-  float radius;
-};
-
-struct KeyOutput {
-  Record *records;  // one for each particle, in their own order
-  uint32_t *row_of;
+struct RowCount {
+  uint32_t *row_of;     // of each particle
   uint32_t *row_count;  // counted up
 };
 
-using KeyKernel = void(const KeyInput &input, size_t begin, size_t end, KeyOutput &output);
+// Where particles go, in the order in which they come within each row.
+struct RowScatter {
+  const uint32_t *row_of;
+  uint32_t *row_next;  // where the next particle of a row goes; counted up
+  int32_t *x, *y, *z;  // z is not written in 2D
+  float *radius;
+  uint32_t *slot;
+};
 
-// Kernels of one instruction set, by dimension - 2 and interaction.
+struct BuildKernel {
+  void (*find_rows)(const KeyInput &input, size_t begin, size_t end, const RowCount &output);
+  void (*put_into_rows)(const KeyInput &input, size_t begin, size_t end, const RowScatter &output);
+};
+
+// Kernels of one instruction set, by dimension - 2 (and interaction).
 struct KernelSet {
   const char *name;
   SearchKernel search[2][2];
-  KeyKernel *keys[2];
+  Survey (*survey[2])(const SurveyInput &input);
+  BuildKernel build[2];
 };
 
 }  // namespace hg

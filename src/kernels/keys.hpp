@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The first pass of building, one source for all instruction sets: fixed-point coordinates, level and row of each
-// particle. Plain loops over blocks of 16 that the compiler turns into vector code of the file's instruction set.
+// The two passes of building over the caller's particles, one source for all instruction sets: find the row of each
+// particle, then put it there in fixed point. The second pass makes the coordinates anew, which is cheaper than keeping
+// them between. Plain loops over blocks that the compiler turns into vector code of the file's instruction set.
 #pragma once
 
 #include "kernel.hpp"
@@ -11,22 +12,45 @@
 namespace hg {
 namespace {
 
-constexpr size_t kKeyBlock = 16;
+// More than 16, which the compiler would unroll before it could use vectors.
+constexpr size_t kKeyBlock = 64;
 
 template <int D>
 class KeyBlock {
  public:
   explicit KeyBlock(const KeyInput &input) : input_(input) {}
 
-  void run(size_t at, size_t count, KeyOutput &output) {
+  void find_rows(size_t at, size_t count, const RowCount &output) {
     load(at, count);
-    for (int k = 0; k < D; k++) fix(k);
+    for (int k = 1; k < D; k++) fix(k);
     find_rows();
     for (size_t i = 0; i < count; i++) {
-      output.records[at + i] = {fixed_[0][i], fixed_[1][i], D == 3 ? fixed_[2][i] : 0, folded_[i]};
       output.row_of[at + i] = row_[i];
       output.row_count[row_[i]]++;
     }
+  }
+
+  void put_into_rows(size_t at, size_t count, const RowScatter &output) {
+    load(at, count);
+    for (int k = 0; k < D; k++) fix(k);
+    fold();
+    // The rows' ends are more cache lines than the nearest cache has: ask for all of them before the first is written.
+    uint32_t *to = row_;
+    for (size_t i = 0; i < count; i++) {
+      to[i] = output.row_next[output.row_of[at + i]]++;
+      __builtin_prefetch(output.x + to[i], 1);
+      __builtin_prefetch(output.y + to[i], 1);
+      if constexpr (D == 3) __builtin_prefetch(output.z + to[i], 1);
+      __builtin_prefetch(output.radius + to[i], 1);
+      __builtin_prefetch(output.slot + to[i], 1);
+    }
+    for (size_t i = 0; i < count; i++) output.x[to[i]] = fixed_[0][i];
+    for (size_t i = 0; i < count; i++) output.y[to[i]] = fixed_[1][i];
+    if constexpr (D == 3) {
+      for (size_t i = 0; i < count; i++) output.z[to[i]] = fixed_[2][i];
+    }
+    for (size_t i = 0; i < count; i++) output.radius[to[i]] = folded_[i];
+    for (size_t i = 0; i < count; i++) output.slot[to[i]] = static_cast<uint32_t>(at + i);
   }
 
  private:
@@ -65,13 +89,18 @@ class KeyBlock {
     }
   }
 
+  void fold() {
+    for (size_t i = 0; i < kKeyBlock; i++) {
+      folded_[i] = static_cast<float>((radius_[i] + input_.extra_radius) * input_.scale);
+    }
+  }
+
   // The level of insertion (Eq. 3) picks the widths of cells; rows are numbered through all levels.
   void find_rows() {
     float inverse_y[kKeyBlock], last_y[kKeyBlock], inverse_z[kKeyBlock], last_z[kKeyBlock];
     uint32_t count_y[kKeyBlock], base[kKeyBlock];
     const KeyLevel &finest = input_.levels[0];
     for (size_t i = 0; i < kKeyBlock; i++) {
-      folded_[i] = static_cast<float>((radius_[i] + input_.extra_radius) * input_.scale);
       inverse_y[i] = finest.inverse_y;
       last_y[i] = finest.last_y;
       inverse_z[i] = finest.inverse_z;
@@ -114,11 +143,24 @@ class KeyBlock {
 };
 
 template <int D>
-void make_keys(const KeyInput &input, size_t begin, size_t end, KeyOutput &output) {
+void find_rows(const KeyInput &input, size_t begin, size_t end, const RowCount &output) {
   KeyBlock<D> block(input);
   for (size_t at = begin; at < end; at += kKeyBlock) {
-    block.run(at, end - at < kKeyBlock ? end - at : kKeyBlock, output);
+    block.find_rows(at, end - at < kKeyBlock ? end - at : kKeyBlock, output);
   }
+}
+
+template <int D>
+void put_into_rows(const KeyInput &input, size_t begin, size_t end, const RowScatter &output) {
+  KeyBlock<D> block(input);
+  for (size_t at = begin; at < end; at += kKeyBlock) {
+    block.put_into_rows(at, end - at < kKeyBlock ? end - at : kKeyBlock, output);
+  }
+}
+
+template <int D>
+constexpr BuildKernel make_build() {
+  return {find_rows<D>, put_into_rows<D>};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "keys.hpp"
 #include "search.hpp"
+#include "survey.hpp"
 
 namespace hg {
 namespace {
@@ -14,7 +15,8 @@ constexpr KernelSet make_kernels(const char *name) {
   return {name,
           {{make_search<V, 2, false>(), make_search<V, 2, true>()},
            {make_search<V, 3, false>(), make_search<V, 3, true>()}},
-          {make_keys<2>, make_keys<3>}};
+          {survey<2>, survey<3>},
+          {make_build<2>(), make_build<3>()}};
 }
 
 }  // namespace

@@ -58,6 +58,8 @@ struct Found {
 struct Sink : PairSink {
   Found found;
   std::vector<hg_pair> room = std::vector<hg_pair>(hg::kMaxPiece + kPadding);
+  std::vector<double> numbers = std::vector<double>(3 << 16);  // fetched ahead by slot, never used
+  bool open_where_written = true;
   size_t stop_at = SIZE_MAX;
 
   Sink() : PairSink{} {
@@ -66,13 +68,23 @@ struct Sink : PairSink {
     band_constant = hg::kBandConstant;
     make_room = [](PairSink *sink, size_t count) {
       auto *self = static_cast<Sink *>(sink);
+      self->settle(sink);
       self->take();
       return self->found.pairs.size() < self->stop_at && count <= self->room.size();
     };
-    decide = [](PairSink *sink, uint32_t a, uint32_t b, uint8_t) {
-      static_cast<Sink *>(sink)->found.asked.emplace_back(std::min(a, b), std::max(a, b));
-      return true;
+    settle = [](PairSink *sink) {
+      auto *self = static_cast<Sink *>(sink);
+      for (std::uint32_t k = 0; k < sink->open_count; k++) {
+        const hg::OpenPair &pair = sink->open[k];
+        const Pair asked(std::min(pair.slot_a, pair.slot_b), std::max(pair.slot_a, pair.slot_b));
+        const Pair written(static_cast<std::uint32_t>(pair.at->a), static_cast<std::uint32_t>(pair.at->b));
+        self->open_where_written = self->open_where_written && pair.at < sink->next && asked == written;
+        self->found.asked.push_back(asked);
+      }
+      sink->undecided_count += sink->open_count;
+      sink->open_count = 0;
     };
+    centers = radii = numbers.data();
   }
   void take() {
     for (const hg_pair *p = room.data(); p != next; p++) {
@@ -131,6 +143,7 @@ class Scene {
     Sink sink;
     sink.stop_at = 0;
     const bool done = kernel(hg::kScalarKernels).own_level(particles_.arrays(), 0, count(particles_), table_, &sink);
+    sink.settle(&sink);
     sink.take();
     require(done || !sink.found.pairs.empty(), "stopped without cause");
     require(sink.found.pairs.size() <= hg::kMaxPiece + kPadding, "went on after being stopped");
@@ -248,7 +261,9 @@ class Scene {
     for (const KernelSet *set : kernel_sets()) {
       Sink sink;
       require(run(*set, sink), "%s: stopped", set->name);
+      sink.settle(&sink);
       sink.take();
+      require(sink.open_where_written, "an open pair is not where the kernel says it wrote it");
       if (first) found_ = sink.found;
       require(sink.found == found_, "%s: %zu pairs instead of the scalar kernel's %zu, or another order", set->name,
               sink.found.pairs.size(), found_.pairs.size());
