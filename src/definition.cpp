@@ -126,6 +126,7 @@ Definition check_definition(const hg_grid_def &caller) {
   checked.accuracy = def.accuracy;
   checked.pair_order = def.pair_order;
   checked.interaction = {def.interaction, def.margin};
+  checked.skin = def.skin;
   checked.domain = check_domain(def);
   check_levels(def, checked);
   checked.cell_overhead = def.cell_overhead;

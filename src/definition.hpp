@@ -19,6 +19,7 @@ struct Definition {
   int32_t level_rule = HG_LEVELS_AUTO;
   int level_count = 0;
   double cell_sizes[HG_MAX_LEVELS] = {};
+  double skin = 0;
   double cell_overhead = 0;  // K, the rule's own filled in
   Interaction interaction;
   Domain domain;

@@ -3,6 +3,7 @@
 #include "grid.hpp"
 
 #include "error.hpp"
+#include "pair_search.hpp"
 #include "pair_visit.hpp"
 #include "parallel.hpp"
 #include "sphere_search.hpp"
@@ -58,9 +59,14 @@ Grid::Grid(const Definition &definition, const hg_allocator &allocator)
       classes_(memory_),
       scratch_(memory_),
       index_(memory_),
-      pairs_(memory_, threads_),
+      candidates_(memory_, threads_),
+      search_(index_, store_, overlap_),
+      filter_(candidates_, store_, overlap_),
+      workers_(memory_, threads_),
+      pairs_(memory_),
       order_(memory_),
-      rows_{NeighborRows(memory_), NeighborRows(memory_)} {
+      rows_{NeighborRows(memory_), NeighborRows(memory_)},
+      by_slot_(memory_) {
   index_.interaction = definition.interaction;
   index_.domain = definition.domain;
 }
@@ -75,6 +81,7 @@ bool Grid::is_visited() const {
 void Grid::insert(size_t count, const double *centers, const double *radii) {
   store_.insert(count, centers, radii);
   changed(true);
+  candidates_.drop();
 }
 
 void Grid::move(size_t count, const double *centers, const double *radii) {
@@ -85,16 +92,20 @@ void Grid::move(size_t count, const double *centers, const double *radii) {
 void Grid::remove(size_t count, const int32_t *ids) {
   store_.remove(count, ids);
   changed(true);
+  candidates_.drop();
 }
 
 void Grid::clear() {
   store_.clear();
   changed(true);
+  candidates_.drop();
+  skin_pays_ = true;
 }
 
 void Grid::changed(bool radii) {
   built_ = false;
   classes_made_ = classes_made_ && !radii;
+  grown_ = grown_ || radii;
   pairs_found_ = false;
   rows_made_[HG_HALF] = rows_made_[HG_FULL] = false;
 }
@@ -106,25 +117,40 @@ void Grid::build() {
 
 void Grid::build_locked() {
   if (built_) return;
+  // While the candidates hold, the index does too: its reach is wider by the skin.
+  if (candidates_.follow(store_, grown_)) {
+    built_ = true;
+    return;
+  }
   store_.compact();
   const Bounds bounds = bounds_of(store_, definition_.domain, threads_);
+  const double skin = skin_pays_ ? usable_skin(definition_.skin, definition_.interaction, definition_.domain, bounds,
+                                               definition_.accuracy, store_.slots())
+                                 : 0;
+  index_.interaction = definition_.interaction.widened(skin);
   LevelRequest request;
   request.dimension = definition_.dimension;
   request.level_count = definition_.level_count;
   request.cell_overhead = definition_.cell_overhead;
   request.edge = mean_edge(bounds, definition_.dimension);
   request.precision = definition_.level_rule == HG_LEVELS_PAPER ? 0 : kFittedPrecision;
-  request.interaction = definition_.interaction;
+  request.interaction = index_.interaction;
   plan_ = plan(request);
   build_index(index_, scratch_, store_, bounds, plan_, threads_);
   describe_levels(request);
   stats_.build_count++;
   built_ = true;
+  grown_ = false;
 }
 
 LevelPlan Grid::plan(const LevelRequest &request) {
   if (definition_.level_rule == HG_LEVELS_USER) {
-    return user_levels(definition_.cell_sizes, definition_.level_count, definition_.interaction);
+    LevelPlan levels = user_levels(definition_.cell_sizes, definition_.level_count, definition_.interaction);
+    const double skin = request.interaction.margin - definition_.interaction.margin;
+    for (int h = 0; skin > 0 && h < levels.level_count; h++) {
+      levels.levels[h].cell_size = (levels.levels[h].cell_size + skin) * (1 + 0x1p-40);
+    }
+    return levels;
   }
   if (!classes_made_ && definition_.level_rule == HG_LEVELS_PAPER) {
     classes_.sort_radii(store_.radii(), store_.slots());
@@ -146,24 +172,51 @@ void Grid::describe_levels(const LevelRequest &request) {
   }
 }
 
-void Grid::count_search(const SearchCounts &counts, size_t pairs) {
-  stats_.candidate_count = counts.candidates;
+Grid::Answer Grid::answer_locked() {
+  build_locked();
+  Answer answer;
+  if (candidates_.kept()) {
+    answer.source = &filter_;
+    return answer;
+  }
+  answer.searched = true;
+  const bool wide = index_.interaction.margin > definition_.interaction.margin;
+  if (wide && skin_pays_) {
+    // If not, the wide index serves for this answer; the next one is made without a skin.
+    skin_pays_ = candidates_.collect(index_, store_, definition_.interaction, workers_, answer.collected);
+  }
+  if (candidates_.kept()) {
+    answer.source = &filter_;
+  } else {
+    answer.source = &search_;
+  }
+  return answer;
+}
+
+void Grid::count_answer(const Answer &answer, const SearchCounts &counts, size_t pairs) {
+  const bool collected = answer.searched && answer.source == &filter_;
+  stats_.candidate_count = collected ? answer.collected.candidates : counts.candidates;
   stats_.undecided_count = counts.undecided;
   stats_.exact_count = counts.exact;
   stats_.pair_count = static_cast<int64_t>(pairs);
-  stats_.search_count++;
+  if (answer.searched) {
+    stats_.search_count++;
+  } else {
+    stats_.filter_count++;
+  }
 }
 
 void Grid::find_pairs_locked() {
   build_locked();
   if (pairs_found_) return;
-  const SearchCounts counts = pairs_.search(index_, store_, overlap_);
+  const Answer answer = answer_locked();
+  const SearchCounts counts = pairs_.gather(*answer.source, workers_, store_.slots());
   if (definition_.pair_order == HG_ORDER_ID) {
     order_.build(pairs_.data(), pairs_.count(), store_.slots(), store_.id_offset(), HG_HALF);
     order_.write_pairs(pairs_.data(), store_.slots(), store_.id_offset());
   }
   to_ids(pairs_.data(), pairs_.count(), store_);
-  count_search(counts, pairs_.count());
+  count_answer(answer, counts, pairs_.count());
   pairs_found_ = true;
 }
 
@@ -183,14 +236,18 @@ void Grid::visit_pairs(hg_pair_visitor *visit, void *context) {
     visit_list(pairs, count, visit, context);
     return;
   }
-  build();
+  Answer answer;
+  {
+    const std::lock_guard lock(mutex_);
+    answer = answer_locked();
+  }
   VisitResult result;
   {
     const VisitScope scope(this);
-    result = visit_search(index_, store_, overlap_, memory_, visit, context);
+    result = visit_source(*answer.source, store_, memory_, visit, context);
   }
   const std::lock_guard lock(mutex_);
-  count_search(result.counts, result.pairs);
+  count_answer(answer, result.counts, result.pairs);
 }
 
 void Grid::make_rows_locked(int32_t list) {
@@ -201,12 +258,11 @@ void Grid::make_rows_locked(int32_t list) {
   if (store_.contiguous()) {
     rows.build(pairs, pairs_.count(), store_.slots(), store_.id_offset(), list);
   } else {
-    Buffer<hg_pair> by_slot(memory_);
-    by_slot.require(pairs_.count());
+    by_slot_.require_room(pairs_.count());
     for (size_t p = 0; p < pairs_.count(); p++) {
-      by_slot[p] = {static_cast<int32_t>(store_.find(pairs[p].a)), static_cast<int32_t>(store_.find(pairs[p].b))};
+      by_slot_[p] = {static_cast<int32_t>(store_.find(pairs[p].a)), static_cast<int32_t>(store_.find(pairs[p].b))};
     }
-    rows.build(by_slot.data(), pairs_.count(), store_.slots(), 0, list);
+    rows.build(by_slot_.data(), pairs_.count(), store_.slots(), 0, list);
     const auto count = static_cast<size_t>(rows.offsets()[store_.slots()]);
     for (size_t k = 0; k < count; k++) rows.neighbors()[k] = store_.id(static_cast<size_t>(rows.neighbors()[k]));
   }
@@ -232,7 +288,7 @@ size_t Grid::query_sphere(const Ball &sphere, Buffer<int32_t> &found) {
     fail(HG_ERR_ARGUMENT, "radius = %g is not finite and >= 0", sphere.radius);
   }
   build();
-  const size_t count = search_sphere(index_, store_, overlap_, sphere, found);
+  const size_t count = search_sphere(index_, store_, overlap_, candidates_, sphere, found);
   for (size_t k = 0; k < count; k++) found[k] = store_.id(static_cast<size_t>(found[k]));
   std::sort(found.data(), found.data() + count);
   return count;
@@ -257,6 +313,7 @@ hg_grid_stats Grid::stats() {
   stats.level_count = index_.level_count;
   stats.row_count = index_.row_count;
   stats.cell_count = index_.cell_count;
+  stats.stored_count = static_cast<int64_t>(candidates_.count());
   stats.byte_count = memory_.bytes() + static_cast<int64_t>(sizeof(Grid));
   return stats;
 }

@@ -10,8 +10,10 @@
 #include "neighbor_rows.hpp"
 #include "overlap.hpp"
 #include "pair_list.hpp"
+#include "pair_search.hpp"
 #include "particle_store.hpp"
 #include "size_classes.hpp"
+#include "stored_candidates.hpp"
 
 #include <hgrid/types.h>
 
@@ -49,7 +51,14 @@ class Grid {
   LevelPlan plan(const LevelRequest &request);
   void describe_levels(const LevelRequest &request);
   void make_rows_locked(int32_t list);
-  void count_search(const SearchCounts &counts, size_t pairs);
+  // What answers a query of pairs.
+  struct Answer {
+    const PairSource *source = nullptr;
+    bool searched = false;   // else stored candidates are filtered
+    SearchCounts collected;  // by that search, if it stored candidates
+  };
+  Answer answer_locked();
+  void count_answer(const Answer &answer, const SearchCounts &counts, size_t pairs);
   void changed(bool radii);
 
   Definition definition_;
@@ -66,11 +75,19 @@ class Grid {
   hg_level levels_[HG_MAX_LEVELS];
   bool built_ = false;
 
+  StoredCandidates candidates_;
+  bool grown_ = false;     // a radius may have changed since the index was built
+  bool skin_pays_ = true;  // false once candidates were too many to keep
+
+  PairSearch search_;
+  CandidateFilter filter_;
+  PairWorkers workers_;
   PairList pairs_;
   bool pairs_found_ = false;
   NeighborRows order_;
   NeighborRows rows_[2];  // HG_HALF, HG_FULL
   bool rows_made_[2] = {false, false};
+  Buffer<hg_pair> by_slot_;
   hg_grid_stats stats_{};
 };
 

@@ -81,7 +81,7 @@ class Builder {
       index_.cell_count += l.sparse ? 0 : static_cast<int64_t>(laid.cells);
     }
     rows_ = rows;
-    index_.cell_begin.require(cells + kPadding);
+    index_.cell_begin.require_room(cells + kPadding);
     for (int h = 0; h < index_.level_count; h++) level(h).cells.cell_begin = index_.cell_begin.data() + cell_base_[h];
   }
 
@@ -118,7 +118,7 @@ class Builder {
   void scatter_into_rows() {
     const size_t stride = rows_ + 1;
     scratch_.row_of.require(count_);
-    scratch_.row_begin.require(stride * parts_);
+    scratch_.row_begin.require_room(stride * parts_);
     KeyLevel levels[HG_MAX_LEVELS];
     const KeyInput input = key_input(levels);
     const BuildKernel &kernel = active_kernels().build[D - 2];

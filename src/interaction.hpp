@@ -21,6 +21,9 @@ struct Interaction {
   // (the paper's s_h >= 2 r, with margin and ranges taken in).
   double diameter(double r) const { return reach(r, r); }
 
+  // For candidates that may come to interact: every reach longer by the skin.
+  Interaction widened(double skin) const { return {kind, margin + skin}; }
+
   // Radii with the margin folded in, so that the kernels know neither: reach = rho_i + rho_j, or max(rho_i, rho_j).
   double folded_radius(double r) const { return kind == HG_CONTACT ? r + 0.5 * margin : r + margin; }
 };

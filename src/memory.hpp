@@ -78,6 +78,11 @@ class Buffer {
     capacity_ = count;
   }
 
+  // As require, with an eighth to spare where it must grow: for sizes that change a little from step to step.
+  void require_room(size_t count) {
+    if (count > capacity_) require(count + count / 8);
+  }
+
  private:
   Memory *memory_;
   T *data_ = nullptr;

@@ -27,7 +27,7 @@ void sort_row(int32_t *begin, int32_t *end) {
 void NeighborRows::build(const hg_pair *pairs, size_t pair_count, size_t row_count, int32_t base, int32_t list) {
   const bool full = list == HG_FULL;
   offsets_.require(row_count + 1);
-  neighbors_.require(std::max<size_t>(1, full ? 2 * pair_count : pair_count));
+  neighbors_.require_room(std::max<size_t>(1, full ? 2 * pair_count : pair_count));
   int64_t *offset = offsets_.data();
   std::fill(offset, offset + row_count + 1, int64_t{0});
   for (size_t p = 0; p < pair_count; p++) {

@@ -32,6 +32,7 @@ class Overlap {
   bool test(const Ball &a, const Ball &b, Image image, int64_t &exact) const;
 
   int32_t accuracy() const { return accuracy_; }
+  const Interaction &interaction() const { return interaction_; }
 
  private:
   bool test_exactly(const Ball &a, const Ball &b, const double *boxes) const;

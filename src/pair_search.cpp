@@ -3,9 +3,9 @@
 #include "pair_search.hpp"
 
 #include "kernels/kernel_sets.hpp"
+#include "open_pairs.hpp"
 #include "window.hpp"
 
-#include <algorithm>
 #include <limits>
 
 namespace hg {
@@ -18,15 +18,11 @@ bool decide(PairSink *sink, uint32_t slot_a, uint32_t slot_b, uint8_t image) {
 }
 
 void settle(PairSink *sink) {
-  hg_pair *to = nullptr;  // where the pairs from `from` on go, once one has been taken out
-  hg_pair *from = nullptr;
-  for (uint32_t k = 0; k < sink->open_count; k++) {
-    const OpenPair &open = sink->open[k];
-    if (decide(sink, open.slot_a, open.slot_b, open.image)) continue;
-    to = to == nullptr ? open.at : std::copy(from, open.at, to);
-    from = open.at + 1;
-  }
-  if (to != nullptr) sink->next = std::copy(from, sink->next, to);
+  settle_open(*sink, [=](const OpenPair &open) { return decide(sink, open.slot_a, open.slot_b, open.image); });
+}
+
+// Candidates need not be sure to interact.
+void keep_all(PairSink *sink) {
   sink->undecided_count += sink->open_count;
   sink->open_count = 0;
 }
@@ -35,13 +31,18 @@ static_assert(kItself == kNoImage, "kernels and predicate must mean the same by 
 
 class Search {
  public:
-  Search(const Index &index, const ParticleStore &store, PairSink &sink)
+  // With `names`, pairs hold these instead of slots.
+  Search(const Index &index, const ParticleStore &store, PairSink &sink, const uint32_t *names)
       : index_(index),
         store_(store),
         sink_(sink),
         kernel_(active_kernels().search[index.domain.dimension - 2][index.interaction.kind]),
         particles_(index.particles.arrays(false)),
-        images_(index.images.arrays(true)) {}
+        images_(index.images.arrays(true)) {
+    if (names == nullptr) return;
+    particles_.slot = names;
+    images_.slot = names + store.slots();
+  }
 
   // False if the sink stopped.
   bool run(const SearchTask &task) {
@@ -81,21 +82,26 @@ class Search {
     return points.image != nullptr ? points.image[i] : kItself;
   }
 
+  // points.slot may hold names.
+  uint32_t slot_of(const PointArrays &points, uint32_t i) const {
+    return points.image != nullptr ? index_.images.slot[i] : index_.particles.slot[i];
+  }
+
   Window window(const PointArrays &points, uint32_t i, const IndexLevel &level) const {
-    const uint32_t slot = points.slot[i];
+    const uint32_t slot = slot_of(points, i);
     const double reach = index_.interaction.reach(store_.radius(slot), level.largest_radius);
     return Window::around(index_.domain, store_.center(slot), image_of(points, i), reach);
   }
 
   bool test(const PointArrays &points, uint32_t i, uint32_t begin, uint32_t end) {
-    const uint32_t slot = points.slot[i];
+    const uint32_t slot = slot_of(points, i), name = points.slot[i];
     const Image image = image_of(points, i);
     sink_.candidate_count += end - begin;
     for (uint32_t j = begin; j < end; j++) {
-      const uint32_t other = particles_.slot[j];
-      if (!decide(&sink_, slot, other, image)) continue;
+      if (!decide(&sink_, slot, index_.particles.slot[j], image)) continue;
       if (sink_.next == sink_.limit && !sink_.make_room(&sink_, 1)) return false;
-      const uint32_t low = slot < other ? slot : other, high = slot < other ? other : slot;
+      const uint32_t other = particles_.slot[j];
+      const uint32_t low = name < other ? name : other, high = name < other ? other : name;
       *sink_.next++ = {static_cast<int32_t>(low) + sink_.id_offset, static_cast<int32_t>(high) + sink_.id_offset};
     }
     return true;
@@ -109,29 +115,46 @@ class Search {
   PointArrays images_;
 };
 
-// HG_DOUBLE is its plain expression even where that under- or overflows. Only on such scales can the expression differ
-// from a clear verdict of the fast test.
-bool plain_squares_are_clear(const Index &index, const Overlap &overlap) {
-  return overlap.accuracy() != HG_DOUBLE ||
-         (index.frame.scale <= 0x1p480 && index.interaction.diameter(index.largest_radius) <= 1e150);
-}
-
-}  // namespace
-
-void prepare_sink(PairSink &sink, const Index &index, const ParticleStore &store, const Overlap &overlap) {
-  sink.settle = settle;
+void give_doubles(PairSink &sink, const Overlap &overlap, const ParticleStore &store, const Domain &domain) {
   sink.overlap = &overlap;
   sink.store = &store;
   sink.centers = store.centers();
   sink.radii = store.radii();
-  sink.dimension = static_cast<uint32_t>(index.domain.dimension);
-  sink.id_offset = store.id_offset();
-  sink.band_constant = plain_squares_are_clear(index, overlap) ? kBandConstant : std::numeric_limits<float>::infinity();
+  sink.dimension = static_cast<uint32_t>(domain.dimension);
 }
 
-bool search_task(const SearchTask &task, const Index &index, const ParticleStore &store, PairSink &sink) {
-  const bool go_on = Search(index, store, sink).run(task);
-  settle(&sink);
+}  // namespace
+
+bool plain_squares_are_clear(int32_t accuracy, double scale, double reach) {
+  return accuracy != HG_DOUBLE || (scale <= 0x1p480 && reach <= 1e150);
+}
+
+void PairSearch::prepare(PairSink &sink) const {
+  give_doubles(sink, overlap_, store_, index_.domain);
+  sink.settle = settle;
+  sink.id_offset = store_.id_offset();
+  const bool clear = index_.interaction.margin == overlap_.interaction().margin &&
+                     plain_squares_are_clear(overlap_.accuracy(), index_.frame.scale,
+                                             index_.interaction.diameter(index_.largest_radius));
+  sink.band_constant = clear ? kBandConstant : std::numeric_limits<float>::infinity();
+}
+
+bool PairSearch::run(size_t task, PairSink &sink) const {
+  const bool go_on = Search(index_, store_, sink, nullptr).run(index_.tasks[task]);
+  sink.settle(&sink);
+  return go_on;
+}
+
+void CandidateSearch::prepare(PairSink &sink) const {
+  give_doubles(sink, overlap_, store_, index_.domain);
+  sink.settle = keep_all;
+  sink.id_offset = 0;
+  sink.band_constant = kBandConstant;
+}
+
+bool CandidateSearch::run(size_t task, PairSink &sink) const {
+  const bool go_on = Search(index_, store_, sink, names_).run(index_.tasks[task]);
+  sink.settle(&sink);
   return go_on;
 }
 

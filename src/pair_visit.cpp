@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pair_visit.hpp"
 
-#include "pair_search.hpp"
-
 #include <algorithm>
 
 namespace hg {
@@ -47,15 +45,13 @@ class VisitSink : public PairSink {
 
 }  // namespace
 
-VisitResult visit_search(const Index &index, const ParticleStore &store, const Overlap &overlap, Memory &memory,
-                         hg_pair_visitor *visit, void *context) {
+VisitResult visit_source(const PairSource &source, const ParticleStore &store, Memory &memory, hg_pair_visitor *visit,
+                         void *context) {
   Buffer<hg_pair> batch(memory);
   VisitSink sink(batch, store, visit, context);
-  prepare_sink(sink, index, store, overlap);
+  source.prepare(sink);
   bool go_on = true;
-  for (size_t task = 0; go_on && task < index.task_count; task++) {
-    go_on = search_task(index.tasks[task], index, store, sink);
-  }
+  for (size_t task = 0; go_on && task < source.task_count(); task++) go_on = source.run(task, sink);
   if (go_on) sink.flush();
   VisitResult result;
   result.counts.add(sink);

@@ -16,9 +16,9 @@ struct VisitResult {
   size_t pairs = 0;
 };
 
-// Searches and visits, in the order of PairList. Stops when the visitor returns nonzero.
-VisitResult visit_search(const Index &index, const ParticleStore &store, const Overlap &overlap, Memory &memory,
-                         hg_pair_visitor *visit, void *context);
+// Visits the pairs of a source as they come. Stops when the visitor returns nonzero.
+VisitResult visit_source(const PairSource &source, const ParticleStore &store, Memory &memory, hg_pair_visitor *visit,
+                         void *context);
 
 // Visits pairs that are there already.
 void visit_list(const hg_pair *pairs, size_t count, hg_pair_visitor *visit, void *context);

@@ -12,9 +12,9 @@ namespace {
 
 class SphereSearch {
  public:
-  SphereSearch(const Index &index, const ParticleStore &store, const Overlap &overlap, const Ball &sphere,
-               Buffer<int32_t> &found)
-      : index_(index), store_(store), overlap_(overlap), sphere_(sphere), found_(found) {}
+  SphereSearch(const Index &index, const ParticleStore &store, const Overlap &overlap,
+               const StoredCandidates &candidates, const Ball &sphere, Buffer<int32_t> &found)
+      : index_(index), store_(store), overlap_(overlap), candidates_(candidates), sphere_(sphere), found_(found) {}
 
   size_t run() {
     for (int h = 0; h < index_.level_count; h++) {
@@ -82,7 +82,9 @@ class SphereSearch {
     int64_t exact = 0;
     for (uint32_t j = begin; j < end; j++) {
       const uint32_t slot = index_.particles.slot[j];
-      if (!overlap_.test(sphere_, store_.ball(slot), image, exact)) continue;
+      Image seen = image;
+      if (candidates_.moved() && !candidates_.see(j, seen, store_)) continue;
+      if (!overlap_.test(sphere_, store_.ball(slot), seen, exact)) continue;
       found_.grow(count_ + 1);
       found_[count_++] = static_cast<int32_t>(slot);
     }
@@ -91,6 +93,7 @@ class SphereSearch {
   const Index &index_;
   const ParticleStore &store_;
   const Overlap &overlap_;
+  const StoredCandidates &candidates_;
   const Ball &sphere_;
   Buffer<int32_t> &found_;
   size_t count_ = 0;
@@ -98,9 +101,9 @@ class SphereSearch {
 
 }  // namespace
 
-size_t search_sphere(const Index &index, const ParticleStore &store, const Overlap &overlap, const Ball &sphere,
-                     Buffer<int32_t> &found) {
-  return SphereSearch(index, store, overlap, sphere, found).run();
+size_t search_sphere(const Index &index, const ParticleStore &store, const Overlap &overlap,
+                     const StoredCandidates &candidates, const Ball &sphere, Buffer<int32_t> &found) {
+  return SphereSearch(index, store, overlap, candidates, sphere, found).run();
 }
 
 }  // namespace hg

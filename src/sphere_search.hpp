@@ -6,13 +6,15 @@
 #include "index.hpp"
 #include "overlap.hpp"
 #include "particle_store.hpp"
+#include "stored_candidates.hpp"
 
 #include <cstdint>
 
 namespace hg {
 
-// Writes the slots of the particles met, each once, in no order, into `found` and returns their number.
-size_t search_sphere(const Index &index, const ParticleStore &store, const Overlap &overlap, const Ball &sphere,
-                     Buffer<int32_t> &found);
+// Writes the slots of the particles met, each once, in no order, into `found` and returns their number. The index may
+// be that of `candidates` which have moved since.
+size_t search_sphere(const Index &index, const ParticleStore &store, const Overlap &overlap,
+                     const StoredCandidates &candidates, const Ball &sphere, Buffer<int32_t> &found);
 
 }  // namespace hg

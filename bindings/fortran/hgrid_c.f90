@@ -101,7 +101,7 @@ module hgrid_c
         real(c_double) :: cost
     end type hg_level_cost
 
-    !> Counters of a grid: as built, and of its last search.
+    !> Counters of a grid: as built, and of its last search or filtering of stored candidates.
     type, bind(c) :: hg_grid_stats
         integer(c_int64_t) :: particle_count = 0
         integer(c_int64_t) :: level_count = 0
@@ -114,6 +114,8 @@ module hgrid_c
         integer(c_int64_t) :: build_count = 0
         integer(c_int64_t) :: search_count = 0
         integer(c_int64_t) :: byte_count = 0
+        integer(c_int64_t) :: filter_count = 0
+        integer(c_int64_t) :: stored_count = 0
     end type hg_grid_stats
 
     !> Where grids take their memory from: C functions as described in hgrid/base.h.

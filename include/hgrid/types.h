@@ -66,9 +66,9 @@ typedef struct hg_grid_def {
   const double *cell_sizes; /* USER: [level_count] ascending cell edges > 0, the last >= the largest diameter (largest
                                range for HG_MAX_RANGE) plus margin; copied by hg_create (NULL) */
   double margin;            /* added to every reach, >= 0, caller's length unit (0) */
-  double skin;              /* how far particles may move before stored candidates are searched anew, >= 0, length;
-                               0 = search always. It changes the time, never the answer; this version searches
-                               always (0) */
+  double skin;              /* how far particles may move, growth of their radii included, two together, before
+                               stored candidates are searched anew, >= 0, length; 0 = search always. It changes the
+                               time, never the pairs; docs/performance.md says which to take (0) */
   int32_t periodic[3];      /* per axis: 0 open, 1 periodic (0, 0, 0) */
   int32_t reserved1;        /* 0 */
   double box_min[3];        /* periodic axes: the box, needed. Open axes: particles may lie anywhere; a box with */
@@ -93,19 +93,22 @@ typedef struct hg_level_cost {
   double cost;         /* per particle, in units of one test */
 } hg_level_cost;
 
-/* Counters of a grid. They describe the grid as built and the last search; before the first, they are 0. */
+/* Counters of a grid. They describe the grid as built and the last search of all pairs, or, with a skin, the last time
+ * that stored candidates were filtered instead; before the first, they are 0. */
 typedef struct hg_grid_stats {
   int64_t particle_count;  /* live particles */
   int64_t level_count;     /* levels of the built grid */
   int64_t row_count;       /* rows of cells stored, all levels */
   int64_t cell_count;      /* cells stored, all levels */
-  int64_t candidate_count; /* pairs tested in the last search */
+  int64_t candidate_count; /* pairs tested in the last search, or stored candidates filtered */
   int64_t undecided_count; /* of these, pairs too near to touching for the fast test */
   int64_t exact_count;     /* of these, pairs too near to touching even for double arithmetic */
-  int64_t pair_count;      /* pairs found in the last search */
+  int64_t pair_count;      /* pairs found */
   int64_t build_count;     /* times the grid was built since hg_create */
   int64_t search_count;    /* times all pairs were searched since hg_create */
   int64_t byte_count;      /* memory held by the grid now, results included */
+  int64_t filter_count;    /* times stored candidates were filtered instead of a search since hg_create */
+  int64_t stored_count;    /* candidates stored now; 0 without a skin, and while they are out of date */
 } hg_grid_stats;
 
 /* Receives pairs in batches. `pairs` is valid during the call only. Return 0 to go on, anything else to stop. */

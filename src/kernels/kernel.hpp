@@ -4,6 +4,8 @@
 // instruction set of its own without sharing inline functions with other files.
 #pragma once
 
+#include "step_kernels.hpp"
+
 #include <hgrid/types.h>
 
 #include <cstddef>
@@ -149,6 +151,7 @@ struct KernelSet {
   SearchKernel search[2][2];
   Survey (*survey[2])(const SurveyInput &input);
   BuildKernel build[2];
+  StepKernels steps;
 };
 
 }  // namespace hg

@@ -36,6 +36,19 @@ struct Avx2Lanes {
   static Int set(int32_t a) { return _mm256_set1_epi32(a); }
   static Int iota() { return _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7); }
 
+  // As in lanes_sse2.hpp.
+  static Int records(const Record *points, const int32_t *index) {
+    const auto record = [=](int pair) {
+      return _mm_loadu_si128(reinterpret_cast<const __m128i *>(points + index[2 * pair]));
+    };
+    return _mm256_inserti128_si256(_mm256_castsi128_si256(record(0)), record(4), 1);
+  }
+  static Int low_words(Int a, Int b) { return _mm256_unpacklo_epi32(a, b); }
+  static Int high_words(Int a, Int b) { return _mm256_unpackhi_epi32(a, b); }
+  static Int low_doubles(Int a, Int b) { return _mm256_unpacklo_epi64(a, b); }
+  static Int high_doubles(Int a, Int b) { return _mm256_unpackhi_epi64(a, b); }
+  static Float as_float(Int a) { return _mm256_castsi256_ps(a); }
+
   static Float add(Float a, Float b) { return _mm256_add_ps(a, b); }
   static Float sub(Float a, Float b) { return _mm256_sub_ps(a, b); }
   static Float mul(Float a, Float b) { return _mm256_mul_ps(a, b); }

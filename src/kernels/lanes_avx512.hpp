@@ -22,6 +22,20 @@ struct Avx512Lanes {
   static Int set(int32_t a) { return _mm512_set1_epi32(a); }
   static Int iota() { return _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15); }
 
+  // As in lanes_sse2.hpp.
+  static Int records(const Record *points, const int32_t *index) {
+    const auto record = [=](int pair) {
+      return _mm_loadu_si128(reinterpret_cast<const __m128i *>(points + index[2 * pair]));
+    };
+    const Int two = _mm512_inserti32x4(_mm512_castsi128_si512(record(0)), record(4), 1);
+    return _mm512_inserti32x4(_mm512_inserti32x4(two, record(8), 2), record(12), 3);
+  }
+  static Int low_words(Int a, Int b) { return _mm512_unpacklo_epi32(a, b); }
+  static Int high_words(Int a, Int b) { return _mm512_unpackhi_epi32(a, b); }
+  static Int low_doubles(Int a, Int b) { return _mm512_unpacklo_epi64(a, b); }
+  static Int high_doubles(Int a, Int b) { return _mm512_unpackhi_epi64(a, b); }
+  static Float as_float(Int a) { return _mm512_castsi512_ps(a); }
+
   static Float add(Float a, Float b) { return _mm512_add_ps(a, b); }
   static Float sub(Float a, Float b) { return _mm512_sub_ps(a, b); }
   static Float mul(Float a, Float b) { return _mm512_mul_ps(a, b); }

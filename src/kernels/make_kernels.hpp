@@ -3,6 +3,8 @@
 // Puts the kernels of one instruction set together. Included once by the file of each instruction set.
 #pragma once
 
+#include "filter.hpp"
+#include "follow.hpp"
 #include "keys.hpp"
 #include "search.hpp"
 #include "survey.hpp"
@@ -16,7 +18,8 @@ constexpr KernelSet make_kernels(const char *name) {
           {{make_search<V, 2, false>(), make_search<V, 2, true>()},
            {make_search<V, 3, false>(), make_search<V, 3, true>()}},
           {survey<2>, survey<3>},
-          {make_build<2>(), make_build<3>()}};
+          {make_build<2>(), make_build<3>()},
+          {{follow<2>, follow<3>}, {filter<V, false>, filter<V, true>}}};
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
   X(hg_grid_def, 136)  \
   X(hg_level, 32)      \
   X(hg_level_cost, 24) \
-  X(hg_grid_stats, 88)
+  X(hg_grid_stats, 104)
 
 #define OFFSETS(X)                      \
   X(hg_allocator, context, 0)           \
@@ -60,7 +60,9 @@
   X(hg_grid_stats, pair_count, 56)      \
   X(hg_grid_stats, build_count, 64)     \
   X(hg_grid_stats, search_count, 72)    \
-  X(hg_grid_stats, byte_count, 80)
+  X(hg_grid_stats, byte_count, 80)      \
+  X(hg_grid_stats, filter_count, 88)    \
+  X(hg_grid_stats, stored_count, 96)
 
 #define CONSTANTS(X)     \
   X(HG_OK, 0)            \

@@ -144,6 +144,8 @@ contains
         call compare('hg_grid_stats%build_count', offset(c_loc(it%build_count), c_loc(it)))
         call compare('hg_grid_stats%search_count', offset(c_loc(it%search_count), c_loc(it)))
         call compare('hg_grid_stats%byte_count', offset(c_loc(it%byte_count), c_loc(it)))
+        call compare('hg_grid_stats%filter_count', offset(c_loc(it%filter_count), c_loc(it)))
+        call compare('hg_grid_stats%stored_count', offset(c_loc(it%stored_count), c_loc(it)))
     end subroutine compare_grid_stats
 
     subroutine compare_constants()

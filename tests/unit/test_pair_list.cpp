@@ -4,6 +4,7 @@
 #include "checks.hpp"
 #include "crowd.hpp"
 #include "pair_list.hpp"
+#include "pair_search.hpp"
 #include "pair_visit.hpp"
 
 #include <algorithm>
@@ -14,6 +15,19 @@ namespace {
 
 using namespace hgtest;
 using hg::PairList;
+
+// A list with workers of its own, of the pairs of a crowd.
+struct List {
+  List(hg::Memory &memory, int threads) : workers(memory, threads), pairs(memory) {}
+  hg::SearchCounts search(const Crowd &crowd) {
+    return pairs.gather(hg::PairSearch(crowd.index, crowd.store, crowd.overlap), workers, crowd.store.slots());
+  }
+  const hg_pair *data() const { return pairs.data(); }
+  size_t count() const { return pairs.count(); }
+
+  hg::PairWorkers workers;
+  PairList pairs;
+};
 
 bool same(const hg_pair *p, const hg_pair *q, size_t count) {
   return count == 0 || std::memcmp(p, q, count * sizeof *p) == 0;
@@ -51,8 +65,8 @@ void check_all_pairs(std::uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   const Crowd crowd(seed, memory, any_shape(rng, rng.below(250)));
-  PairList list(memory, 1);
-  list.search(crowd.index, crowd.store, crowd.overlap);
+  List list(memory, 1);
+  list.search(crowd);
   std::vector<hg_pair> found(list.data(), list.data() + list.count());
   std::sort(found.begin(), found.end(),
             [](const hg_pair &p, const hg_pair &q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
@@ -65,14 +79,14 @@ void check_threads(std::uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   Crowd crowd(seed, memory, any_shape(rng, 25000));
-  PairList alone(memory, 1);
-  const hg::SearchCounts counts = alone.search(crowd.index, crowd.store, crowd.overlap);
+  List alone(memory, 1);
+  const hg::SearchCounts counts = alone.search(crowd);
   require(alone.count() > 1000, "only %zu pairs", alone.count());
   for (int threads : {2, 5}) {
     crowd.build(threads);
-    PairList together(memory, threads);
+    List together(memory, threads);
     for (int again = 0; again < 2; again++) {
-      const hg::SearchCounts c = together.search(crowd.index, crowd.store, crowd.overlap);
+      const hg::SearchCounts c = together.search(crowd);
       require(together.count() == alone.count() && same(together.data(), alone.data(), alone.count()),
               "%d threads: %zu pairs instead of %zu, or another order", threads, together.count(), alone.count());
       require(c.candidates == counts.candidates && c.undecided == counts.undecided && c.exact == counts.exact,
@@ -97,11 +111,12 @@ void check_visit(std::uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   const Crowd crowd(seed, memory, any_shape(rng, rng.below(12000)));
-  PairList list(memory, 1);
-  list.search(crowd.index, crowd.store, crowd.overlap);
+  List list(memory, 1);
+  list.search(crowd);
 
+  const hg::PairSearch source(crowd.index, crowd.store, crowd.overlap);
   Visited search, stored, stopped;
-  const hg::VisitResult result = hg::visit_search(crowd.index, crowd.store, crowd.overlap, memory, note, &search);
+  const hg::VisitResult result = hg::visit_source(source, crowd.store, memory, note, &search);
   hg::visit_list(list.data(), list.count(), note, &stored);
   for (const Visited *v : {&search, &stored}) {
     require(v->pairs.size() == list.count() && same(v->pairs.data(), list.data(), list.count()),
@@ -112,7 +127,7 @@ void check_visit(std::uint64_t seed) {
 
   if (list.count() == 0) return;
   stopped.stop_after = 1;
-  const hg::VisitResult some = hg::visit_search(crowd.index, crowd.store, crowd.overlap, memory, note, &stopped);
+  const hg::VisitResult some = hg::visit_source(source, crowd.store, memory, note, &stopped);
   require(stopped.batches == 1, "%zu batches after a stop", stopped.batches);
   require(some.pairs == stopped.pairs.size() && same(stopped.pairs.data(), list.data(), stopped.pairs.size()),
           "%zu pairs before the stop", some.pairs);

@@ -19,14 +19,15 @@ largest of its levels'. cost: per particle, in units of one pair test."""
 Stats = namedtuple(
     "Stats",
     "particle_count level_count row_count cell_count candidate_count undecided_count exact_count pair_count "
-    "build_count search_count byte_count",
+    "build_count search_count byte_count filter_count stored_count",
 )
-Stats.__doc__ = """Counters of a grid: as built, and of the last search (0 before the first).
+Stats.__doc__ = """Counters of a grid: as built, and of the last search or filtering (0 before the first).
 
 particle_count: live particles. level_count, row_count, cell_count: levels, rows of cells and cells stored.
 candidate_count: pairs tested; undecided_count: of these, too near to touching for the fast test; exact_count: of these,
 too near even for double arithmetic. pair_count: pairs found. build_count, search_count: builds and searches of all
-pairs since the grid was made. byte_count: memory that the grid holds, results included."""
+pairs since the grid was made. byte_count: memory that the grid holds, results included. filter_count: times stored
+candidates were filtered instead of a search; stored_count: candidates stored now, 0 without a skin."""
 
 
 def record(kind, struct):

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// With a skin the pairs are those of a search without one, after every step of any motion: small and large steps,
+// growing and shrinking radii, steps of just half the skin, faces of periodic boxes. Neighbours, visits and spheres
+// agree with them.
+#include "compare.hpp"
+#include "frame.h"
+#include "scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace hgtest;
+
+enum class Motion { kDrift, kJitter, kLimit, kGrowth, kWrap, kJump };
+constexpr int kMotionCount = static_cast<int>(Motion::kJump) + 1;
+
+// One scene that moves, and a grid with a skin that follows it.
+class Run {
+ public:
+  Run(std::uint64_t seed, double skin_share) : rng_(seed), scene_(draw(rng_)) {
+    double mean = 0;
+    for (const double r : scene_.particles.radii) mean += r / static_cast<double>(scene_.particles.size());
+    scene_.def.skin = skin_share * mean;
+    half_ = 0.5 * std::min(scene_.def.skin, mean);
+    largest_ = *std::max_element(scene_.particles.radii.begin(), scene_.particles.radii.end());
+    grid_ = make_grid(scene_.def, scene_.particles);
+  }
+
+  void steps(int count) {
+    compare();
+    for (int step = 0; step < count; ++step) {
+      move(static_cast<Motion>(rng_.below(kMotionCount)));
+      compare();
+    }
+  }
+
+  hg_grid_stats stats() const {
+    hg_grid_stats stats;
+    require_ok(hg_get_stats(grid_.get(), &stats, sizeof stats), "hg_get_stats");
+    return stats;
+  }
+
+ private:
+  static Scene draw(Rng &rng) {
+    const int dimension = rng.integer(2, 3);
+    const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
+    const std::size_t count = 1 + rng.below(150);
+    Scene scene = rng.chance(0.5)
+                      ? periodic_scene(rng, dimension, rng.integer(1, (1 << dimension) - 1), count, sizes)
+                      : open_scene(rng, dimension, count, sizes, static_cast<Places>(rng.below(kPlacesCount)));
+    draw_levels(rng, scene);
+    scene.def.accuracy = rng.chance(0.3) ? HG_DOUBLE : HG_EXACT;
+    scene.def.pair_order = rng.integer(HG_ORDER_GRID, HG_ORDER_ID);
+    return scene;
+  }
+
+  double *center(std::size_t i) { return &scene_.particles.centers[i * dimension()]; }
+  std::size_t dimension() const { return static_cast<std::size_t>(scene_.particles.dimension); }
+
+  void move(Motion motion) {
+    Particles &p = scene_.particles;
+    bool new_radii = rng_.chance(0.2);
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      switch (motion) {
+        case Motion::kDrift:
+          step(i, 0.3 * half_);
+          break;
+        case Motion::kJitter:
+          step(i, 0.05 * half_);
+          break;
+        case Motion::kLimit:  // two that come nearer by the whole skin
+          center(i)[0] += i % 2 == 0 ? half_ : -half_;
+          break;
+        case Motion::kGrowth:
+          p.radii[i] = std::min(largest_, p.radii[i] * rng_.uniform(0.9, 1.0) + 0.2 * half_ * rng_.uniform(0, 1));
+          new_radii = true;
+          break;
+        case Motion::kWrap:
+          wrap(i);
+          break;
+        case Motion::kJump:
+          if (rng_.chance(0.02)) step(i, 100 * half_ + largest_);
+          break;
+      }
+    }
+    require_ok(hg_move(grid_.get(), p.size(), p.centers.data(), new_radii ? p.radii.data() : nullptr), "hg_move");
+  }
+
+  void step(std::size_t i, double most) {
+    for (std::size_t k = 0; k < dimension(); ++k) center(i)[k] += rng_.uniform(-most, most) / 2;
+  }
+
+  // The same place, some box lengths away, as far as doubles tell it.
+  void wrap(std::size_t i) {
+    for (std::size_t k = 0; k < dimension(); ++k) {
+      if (scene_.def.periodic[k] == 0 || !rng_.chance(0.3)) continue;
+      center(i)[k] += rng_.integer(-2, 2) * (scene_.def.box_max[k] - scene_.def.box_min[k]);
+    }
+  }
+
+  void compare() {
+    const bool by_double = scene_.def.accuracy == HG_DOUBLE;
+    const Pairs expected = all_pairs(scene_.def, scene_.particles, by_double ? double_interact : exact_interact);
+    if (rng_.chance(0.2)) require_ok(hg_build(grid_.get()), "hg_build");
+    if (rng_.chance(0.2)) compare_sphere(by_double);
+    if (rng_.chance(0.3)) compare_visit(expected);
+    require_same(scene_.name.c_str(), sorted_pairs_of(grid_), expected);
+    if (rng_.chance(0.2)) compare_visit(expected);
+    if (rng_.chance(0.3)) compare_neighbors(expected);
+    if (rng_.chance(0.3)) compare_sphere(by_double);
+  }
+
+  void compare_visit(const Pairs &expected) {
+    Pairs visited;
+    const auto keep = [](void *context, const hg_pair *pairs, std::size_t count) {
+      auto *to = static_cast<Pairs *>(context);
+      to->insert(to->end(), pairs, pairs + count);
+      return std::int32_t{0};
+    };
+    require_ok(hg_visit_pairs(grid_.get(), keep, &visited), "hg_visit_pairs");
+    require_same((scene_.name + ", visited").c_str(), sorted(visited), expected);
+  }
+
+  void compare_neighbors(const Pairs &expected) {
+    const std::int64_t *offsets = nullptr;
+    const std::int32_t *neighbors = nullptr;
+    require_ok(hg_query_neighbors(grid_.get(), HG_HALF, &offsets, &neighbors), "hg_query_neighbors");
+    Pairs pairs;
+    for (std::size_t i = 0; i < scene_.particles.size(); ++i) {
+      for (std::int64_t n = offsets[i]; n < offsets[i + 1]; ++n) {
+        pairs.push_back({static_cast<std::int32_t>(i) + scene_.def.index_base, neighbors[n]});
+      }
+    }
+    require_same((scene_.name + ", neighbours").c_str(), pairs, expected);
+  }
+
+  void compare_sphere(bool by_double) {
+    const std::size_t near = rng_.below(scene_.particles.size());
+    double at[3];
+    for (std::size_t k = 0; k < dimension(); ++k) at[k] = center(near)[k] + rng_.uniform(-1, 1) * largest_;
+    const Sphere sphere = {at, rng_.uniform(0, 2) * largest_};
+    const std::int32_t *ids = nullptr;
+    std::size_t count = 0;
+    require_ok(hg_query_sphere(grid_.get(), at, sphere.radius, &ids, &count), "hg_query_sphere");
+    require_same((scene_.name + ", sphere").c_str(), std::vector<std::int32_t>(ids, ids + count),
+                 all_in_sphere(scene_.def, scene_.particles, sphere, by_double ? double_interact : exact_interact));
+  }
+
+  Rng rng_;
+  Scene scene_;
+  double largest_ = 0;
+  double half_ = 0;  // of the skin, or of a particle where the skin is wider
+  Grid grid_;
+};
+
+std::int64_t filtered = 0, searched = 0;
+
+void check_steps(std::uint64_t seed) {
+  constexpr double kShares[] = {1e-6, 0.02, 0.3, 1, 10, 1e6, 1e300};
+  Run run(seed, kShares[seed % 7]);
+  run.steps(8);
+  filtered += run.stats().filter_count;
+  searched += run.stats().search_count;
+}
+
+void same_pairs_after_any_step(void **) {
+  bool all = true;
+  for (std::uint64_t seed = 0; seed < 700; ++seed) all &= holds(seed, check_steps);
+  assert_true(all);
+  // Both ways of answering must have been tried.
+  assert_true(filtered > 500);
+  assert_true(searched > 500);
+}
+
+// A box a few units long, 2^30 from the origin, where steps are multiples of the coordinates' last digit; and pairs
+// that come to touch exactly.
+void check_coarse_places(std::uint64_t seed) {
+  Rng rng(seed);
+  hg_grid_def def = hg_default_grid_def();
+  def.dimension = 2;
+  def.skin = 0.5;
+  const double unit = 0x1p-22, corner = 0x1p30;
+  for (int k = 0; k < 2; ++k) {
+    def.periodic[k] = 1;
+    def.box_min[k] = corner;
+    def.box_max[k] = corner + 8;
+  }
+  Particles particles;
+  particles.dimension = 2;
+  for (int i = 0; i < 30; ++i) {
+    const double x[2] = {corner + rng.integer(0, 32) * 0.25, corner + rng.integer(0, 32) * 0.25};
+    particles.add(x, 0.25 * rng.integer(0, 4));
+  }
+  const Grid grid = make_grid(def, particles);
+  for (int step = 0; step < 6; ++step) {
+    require_same("coarse places", sorted_pairs_of(grid), all_pairs(def, particles, exact_interact));
+    for (double &x : particles.centers) x += rng.integer(-1, 1) * (rng.chance(0.5) ? unit : 0.0625);
+    require_ok(hg_move(grid.get(), particles.size(), particles.centers.data(), nullptr), "hg_move");
+  }
+}
+void coarse_places(void **) {
+  bool all = true;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) all &= holds(seed, check_coarse_places);
+  assert_true(all);
+}
+
+Pairs after_steps(const Scene &start, double step, int threads, int steps) {
+  hg_grid_def def = start.def;
+  def.thread_count = threads;
+  const Grid grid = make_grid(def, start.particles);
+  Particles particles = start.particles;
+  Rng rng(7);
+  Pairs all = pairs_of(grid);
+  for (int k = 0; k < steps; ++k) {
+    for (double &x : particles.centers) x += rng.uniform(-step, step);
+    require_ok(hg_move(grid.get(), particles.size(), particles.centers.data(), nullptr), "hg_move");
+    const Pairs pairs = pairs_of(grid);
+    all.insert(all.end(), pairs.begin(), pairs.end());
+  }
+  return all;
+}
+
+// The list, its order included, does not depend on the threads.
+void order_for_any_number_of_threads(void **) {
+  const bool all = holds(5, [](std::uint64_t seed) {
+    Rng rng(seed);
+    Scene scene = periodic_scene(rng, 3, 5, 22000, Sizes::kUniformVolume);
+    scene.def.pair_order = HG_ORDER_GRID;
+    const double radius = *std::min_element(scene.particles.radii.begin(), scene.particles.radii.end());
+    scene.def.skin = 0.5 * radius;
+    const Pairs alone = after_steps(scene, 0.05 * radius, 1, 4);
+    for (const int threads : {2, 5}) {
+      require_same("threads", after_steps(scene, 0.05 * radius, threads, 4), alone);
+    }
+  });
+  assert_true(all);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {cmocka_unit_test(same_pairs_after_any_step), cmocka_unit_test(coarse_places),
+                              cmocka_unit_test(order_for_any_number_of_threads)};
+  return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
