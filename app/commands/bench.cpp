@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// `hgrid bench`: the time of the search for each number of levels, beside what the cost rule predicts.
+// `hgrid bench`: the time of the search for each number of levels, beside what the cost rule predicts, or that of
+// steps.
+#include "bench_steps.hpp"
 #include "command.hpp"
 #include "measure/search_timer.hpp"
 #include "output.hpp"
@@ -26,6 +28,7 @@ struct BenchOptions {
   double seconds = 2;
   std::string accuracy = "exact";
   std::string csv;
+  StepOptions steps;
 };
 
 struct Row {
@@ -128,6 +131,11 @@ void write_csv(const std::string &path, const std::vector<Row> &rows, const std:
 void run_bench(const BenchOptions &options) {
   const ParticleSet particles = load_particles(options.particles);
   if (particles.count() == 0) throw Error(options.particles.file, 0, "no particles to time");
+  if (options.steps.steps > 0) {
+    bench_steps(options.steps, grid_def(options, particles, HG_LEVELS_AUTO, 0), particles, options.particles.file,
+                options.csv);
+    return;
+  }
   std::vector<Row> rows = make_rows(options, particles);
   run_rows(options, rows);
   std::printf("%s: %zu particles; from double arrays in memory to the complete pair list, threads: %s\n",
@@ -163,6 +171,15 @@ void add_bench(CLI::App &parent) {
   command->add_option("--threads", options->threads, "Threads of the search, 0 = all")->capture_default_str();
   command->add_option("--accuracy", options->accuracy, "exact, double or float")
       ->check(CLI::IsMember({"exact", "double", "float"}))
+      ->capture_default_str();
+  command->add_option("--steps", options->steps.steps, "Time that many steps of moving particles instead")
+      ->check(CLI::Range(1, 1000000));
+  command->add_option("--skin", options->steps.skins, "Skins to time the steps with, in the unit of the file")
+      ->delimiter(',')
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--displacement", options->steps.displacement, "How far the fastest particle moves in a step")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_option("--csv", options->csv, "Also write the table to this file");
   command->callback([options] { run_bench(*options); });
