@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace hg {
@@ -85,8 +86,11 @@ void Grid::insert(size_t count, const double *centers, const double *radii) {
 }
 
 void Grid::move(size_t count, const double *centers, const double *radii) {
-  store_.move(count, centers, radii);
-  changed(radii != nullptr);
+  // Many callers give the same radii in each step; that is no reason to choose levels anew or to look for growth.
+  const bool same = radii != nullptr && count == store_.slots() && count == store_.live_count() &&
+                    std::memcmp(radii, store_.radii(), count * sizeof *radii) == 0;
+  store_.move(count, centers, same ? nullptr : radii);
+  changed(radii != nullptr && !same);
 }
 
 void Grid::remove(size_t count, const int32_t *ids) {

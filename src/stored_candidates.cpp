@@ -77,10 +77,32 @@ bool StoredCandidates::collect(const Index &index, const ParticleStore &store, c
   if (list_.count() > most) return false;
   name_points();
   points_.require_room(particles_ + image_count_);
-  // They have not moved, so this only writes down where they are.
-  kept_ = follow_particles(store, true);
+  place_particles(store);
   follow_images();
-  return kept_;
+  kept_ = true;
+  return true;
+}
+
+template <class Body>
+void StoredCandidates::for_parts(Body &&body) {
+  parallel_for(particles_ < kWorthThreads ? 1 : threads_, (particles_ + kFollowTask - 1) / kFollowTask,
+               [&](size_t task, int) {
+                 const size_t begin = task * kFollowTask;
+                 body(begin, std::min(particles_, begin + kFollowTask));
+               });
+}
+
+// Where the index has them, with radii folded for the true reach.
+void StoredCandidates::place_particles(const ParticleStore &store) {
+  const PointStore &from = index_->particles;
+  const bool flat = index_->domain.dimension == 2;
+  const double extra = interaction_.folded_radius(0), scale = index_->frame.scale;
+  for_parts([&](size_t begin, size_t end) {
+    for (size_t p = begin; p < end; p++) {
+      const auto radius = static_cast<float>((store.radius(slot_[p]) + extra) * scale);
+      points_[p] = {from.x[p], from.y[p], flat ? 0 : from.z[p], radius};
+    }
+  });
 }
 
 // Names were their own numbers while collecting; from now on they are looked up to find slots.
@@ -125,12 +147,10 @@ bool StoredCandidates::follow_particles(const ParticleStore &store, bool radii) 
   input.room = room_;
   FollowKernel *kernel = active_kernels().steps.follow[domain.dimension - 2];
   std::atomic<bool> all_near{true};
-  parallel_for(particles_ < kWorthThreads ? 1 : threads_, (particles_ + kFollowTask - 1) / kFollowTask,
-               [&](size_t task, int) {
-                 if (!all_near.load(std::memory_order_relaxed)) return;
-                 const size_t begin = task * kFollowTask, end = std::min(particles_, begin + kFollowTask);
-                 if (!kernel(input, begin, end, points_.data())) all_near.store(false, std::memory_order_relaxed);
-               });
+  for_parts([&](size_t begin, size_t end) {
+    if (!all_near.load(std::memory_order_relaxed)) return;
+    if (!kernel(input, begin, end, points_.data())) all_near.store(false, std::memory_order_relaxed);
+  });
   return all_near.load();
 }
 

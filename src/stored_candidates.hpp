@@ -43,6 +43,10 @@ class StoredCandidates {
 
  private:
   friend class CandidateFilter;
+  // body(begin, end) for parts of the particles, on all threads.
+  template <class Body>
+  void for_parts(Body &&body);
+  void place_particles(const ParticleStore &store);
   bool follow_particles(const ParticleStore &store, bool radii);
   void follow_images();
   void name_points();

@@ -58,11 +58,13 @@ HG_API hg_status hg_build(hg_grid *grid);
 
 /* All pairs, each once, a < b, in the order of def.pair_order. *pairs is NULL only if *count is 0.
  * A second call without a change in between returns the same list.
+ * With def.skin, stored candidates are filtered while they hold; the pairs are the same.
  * Complexity: O(N + P) for any sizes when the levels suit them. */
 HG_API hg_status hg_query_pairs(hg_grid *grid, const hg_pair **pairs, size_t *count);
 
-/* Hands all pairs to `visit` in batches. With HG_ORDER_GRID nothing is stored: memory stays bounded whatever P.
- * A visitor that returns nonzero ends the visit; the call still returns HG_OK. The visitor runs on the calling thread.
+/* Hands all pairs to `visit` in batches. With HG_ORDER_GRID and no skin nothing is stored: memory stays bounded
+ * whatever P. A visitor that returns nonzero ends the visit; the call still returns HG_OK. The visitor runs on the
+ * calling thread.
  */
 HG_API hg_status hg_visit_pairs(hg_grid *grid, hg_pair_visitor *visit, void *context);
 

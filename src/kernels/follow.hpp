@@ -51,17 +51,20 @@ class FollowBlock {
   void load(size_t at, size_t count) {
     if (count == kFollowBlock) {
       for (size_t i = 0; i < kFollowBlock; i++) load_one(i, at + i);
+      for (int k = 0; k < D; k++) start_[k] = input_.x[k] + at;
       return;
     }
-    for (size_t i = 0; i < kFollowBlock; i++) load_one(i, at + (i < count ? i : 0));
+    for (size_t i = 0; i < kFollowBlock; i++) {
+      const size_t from = at + (i < count ? i : 0);
+      load_one(i, from);
+      for (int k = 0; k < D; k++) start_copy_[k][i] = input_.x[k][from];
+    }
+    for (int k = 0; k < D; k++) start_[k] = start_copy_[k];
   }
 
   void load_one(size_t i, size_t from) {
     const size_t slot = input_.slot[from];
-    for (int k = 0; k < D; k++) {
-      position_[k][i] = input_.centers[slot * D + static_cast<size_t>(k)];
-      start_[k][i] = input_.x[k][from];
-    }
+    for (int k = 0; k < D; k++) position_[k][i] = input_.centers[slot * D + static_cast<size_t>(k)];
     if (input_.radii == nullptr) return;
     radius_[i] = input_.radii[slot];
     start_radius_[i] = input_.radius[from];
@@ -70,9 +73,10 @@ class FollowBlock {
   // Frame::coordinate of Domain::position, but on open axes particles may leave the frame, and on periodic ones they
   // keep to the image that is nearest to where they were.
   void follow_axis(int axis) {
-    double *x = position_[axis];
-    int32_t *fixed = fixed_[axis];
-    const int32_t *start = start_[axis];
+    double *__restrict x = position_[axis];
+    int32_t *__restrict fixed = fixed_[axis];
+    const int32_t *__restrict start = start_[axis];
+    float *__restrict moved2 = moved2_;
     const double twice_scale = 2 * input_.scale, half_origin = input_.half_origin[axis];
     const bool periodic = input_.length[axis] > 0;
     if (periodic) {
@@ -98,7 +102,7 @@ class FollowBlock {
     }
     for (size_t i = 0; i < kFollowBlock; i++) {
       const float moved = static_cast<float>(fixed[i] - start[i]);
-      moved2_[i] += moved * moved;
+      moved2[i] += moved * moved;
     }
   }
 
@@ -117,7 +121,8 @@ class FollowBlock {
   const FollowInput &input_;
   alignas(64) double position_[3][kFollowBlock];
   alignas(64) double radius_[kFollowBlock];
-  alignas(64) int32_t start_[3][kFollowBlock];
+  const int32_t *start_[3];
+  alignas(64) int32_t start_copy_[3][kFollowBlock];
   alignas(64) int32_t fixed_[3][kFollowBlock];
   alignas(64) float start_radius_[kFollowBlock];
   alignas(64) float folded_[kFollowBlock];
