@@ -12,9 +12,6 @@ using hg::guarded;
 using hg::on_grid;
 
 namespace hg {
-
-hg_allocator current_allocator();
-
 namespace {
 
 // The last result of hg_query_sphere on this thread.
@@ -45,10 +42,8 @@ hg_status hg_create(const hg_grid_def *def, hg_grid **grid) {
     hg_grid_def defaults;
     if (def == nullptr) hg::fill_defaults(&defaults, sizeof defaults);
     const hg::Definition definition = hg::check_definition(def != nullptr ? *def : defaults);
-    const hg_allocator allocator = hg::current_allocator();
-    void *memory = allocator.allocate(allocator.context, sizeof(hg_grid));
-    if (memory == nullptr) fail(HG_ERR_MEMORY, "no memory for %zu bytes", sizeof(hg_grid));
-    *grid = new (memory) hg_grid{Grid(definition, allocator)};
+    *grid = hg::make_object<hg_grid>(
+        [&](void *memory, const hg_allocator &allocator) { return new (memory) hg_grid{Grid(definition, allocator)}; });
   });
 }
 
@@ -58,9 +53,7 @@ void hg_destroy(hg_grid *grid) {
     hg::remember_error("hg_destroy ignored: the grid is being visited");
     return;
   }
-  const hg_allocator allocator = grid->grid.allocator();
-  grid->~hg_grid();
-  allocator.release(allocator.context, grid, sizeof(hg_grid));
+  hg::free_object(grid, grid->grid.allocator());
 }
 
 hg_status hg_insert(hg_grid *grid, size_t count, const double *centers, const double *radii) {

@@ -19,6 +19,9 @@ namespace hg {
 // Stores the text that hg_last_error returns on this thread.
 void remember_error(const char *text) noexcept;
 
+// Where objects that are created now take their memory from.
+hg_allocator current_allocator();
+
 // Runs `body`; turns what it throws into a status.
 template <class Body>
 hg_status guarded(Body &&body) noexcept {
@@ -38,6 +41,26 @@ hg_status guarded(Body &&body) noexcept {
     remember_error("an exception of unknown type");
     return HG_ERR_INTERNAL;
   }
+}
+
+// An object that callers hold by pointer, in memory of its own allocator. `construct` puts it into the memory given.
+template <class Object, class Construct>
+Object *make_object(Construct &&construct) {
+  const hg_allocator allocator = current_allocator();
+  void *memory = allocator.allocate(allocator.context, sizeof(Object));
+  if (memory == nullptr) fail(HG_ERR_MEMORY, "no memory for %zu bytes", sizeof(Object));
+  try {
+    return construct(memory, allocator);
+  } catch (...) {
+    allocator.release(allocator.context, memory, sizeof(Object));
+    throw;
+  }
+}
+
+template <class Object>
+void free_object(Object *object, const hg_allocator allocator) {
+  object->~Object();
+  allocator.release(allocator.context, object, sizeof(Object));
 }
 
 inline void check_pointer(const void *pointer, const char *name) {

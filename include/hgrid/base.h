@@ -52,7 +52,7 @@ HG_API const char *hg_last_error(void);
 /* The version of the library that is loaded. Each pointer may be NULL. */
 HG_API void hg_version(int *major, int *minor, int *patch);
 
-/* Where a grid takes its memory from.
+/* Where a grid or a contact history takes its memory from.
  *
  * `allocate` returns at least `size` bytes aligned as by malloc, or NULL; `reallocate` behaves like realloc and is told
  * the old size; `release` gets the size that was asked for. All three must be set, and safe to call from several
@@ -64,7 +64,8 @@ typedef struct hg_allocator {
   void (*release)(void *context, void *memory, size_t size);
 } hg_allocator;
 
-/* Sets the allocator of all grids created afterwards; NULL restores malloc. A grid keeps the one it was created with.
+/* Sets the allocator of all grids and contact histories created afterwards; NULL restores malloc. Each keeps the one it
+ * was created with.
  * Errors: HG_ERR_NULL if a member function is NULL (nothing changes).
  * Thread safety: safe at any time. */
 HG_API hg_status hg_set_allocator(const hg_allocator *allocator);

@@ -6,12 +6,14 @@
  *   base.h    status codes, version, error texts, allocator hooks
  *   types.h   the definition of a grid and what queries return
  *   grid.h    the functions of a grid
+ *   history.h contact history: where each pair of a list was in the list before
  */
 #ifndef HGRID_HGRID_H
 #define HGRID_HGRID_H
 
 #include <hgrid/base.h>
 #include <hgrid/grid.h>
+#include <hgrid/history.h>
 #include <hgrid/types.h>
 
 #endif

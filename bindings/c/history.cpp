@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The functions of include/hgrid/history.h.
+#include "contact_history.hpp"
+#include "guard.hpp"
+
+#include <hgrid/history.h>
+
+#include <cstring>
+
+using hg::check_pointer;
+using hg::ContactHistory;
+using hg::fail;
+using hg::guarded;
+
+struct hg_history {
+  ContactHistory history;
+};
+
+namespace {
+
+bool overlap(const void *one, size_t one_size, const void *other, size_t other_size) {
+  const auto p = reinterpret_cast<uintptr_t>(one), q = reinterpret_cast<uintptr_t>(other);
+  return p < q + other_size && q < p + one_size;
+}
+
+// Items of a fixed size that the compiler knows are copied by a few instructions, others by a call.
+template <size_t Size>
+void carry(const ContactHistory &history, size_t size, const char *from, char *to) {
+  const size_t item = Size > 0 ? Size : size;
+  const int64_t *const previous = history.previous();
+  for (size_t k = 0; k < history.count(); k++, to += item) {
+    if (previous[k] >= 0) {
+      std::memcpy(to, from + static_cast<size_t>(previous[k]) * item, item);
+    } else {
+      std::memset(to, 0, item);
+    }
+  }
+}
+
+void carry_items(const ContactHistory &history, size_t size, const void *old_items, void *new_items) {
+  const auto *from = static_cast<const char *>(old_items);
+  auto *to = static_cast<char *>(new_items);
+  switch (size) {
+    case 4:
+      return carry<4>(history, size, from, to);
+    case 8:
+      return carry<8>(history, size, from, to);
+    case 16:
+      return carry<16>(history, size, from, to);
+    case 24:
+      return carry<24>(history, size, from, to);
+    case 32:
+      return carry<32>(history, size, from, to);
+    default:
+      return carry<0>(history, size, from, to);
+  }
+}
+
+}  // namespace
+
+hg_status hg_history_create(hg_history **history) {
+  if (history != nullptr) *history = nullptr;
+  return guarded([&] {
+    check_pointer(history, "history");
+    *history = hg::make_object<hg_history>(
+        [](void *memory, const hg_allocator &allocator) { return new (memory) hg_history{ContactHistory(allocator)}; });
+  });
+}
+
+void hg_history_destroy(hg_history *history) {
+  if (history != nullptr) hg::free_object(history, history->history.allocator());
+}
+
+hg_status hg_history_update(hg_history *history, size_t count, const hg_pair *pairs, const int64_t **previous) {
+  return guarded([&] {
+    check_pointer(history, "history");
+    if (count > 0) check_pointer(pairs, "pairs");
+    check_pointer(previous, "previous");
+    history->history.update(count, pairs);
+    *previous = count > 0 ? history->history.previous() : nullptr;
+  });
+}
+
+hg_status hg_history_carry(const hg_history *history, size_t item_size, const void *old_items, void *new_items) {
+  return guarded([&] {
+    check_pointer(history, "history");
+    const ContactHistory &h = history->history;
+    if (!h.matched()) fail(HG_ERR_STATE, "no list has been matched since the history was created, cleared or restored");
+    if (item_size == 0) fail(HG_ERR_ARGUMENT, "item_size = 0: a contact's data must have at least one byte");
+    if (h.former_count() > 0) check_pointer(old_items, "old_items");
+    if (h.count() > 0) check_pointer(new_items, "new_items");
+    const size_t old_bytes = hg::array_bytes(h.former_count(), item_size);
+    const size_t new_bytes = hg::array_bytes(h.count(), item_size);
+    if (overlap(old_items, old_bytes, new_items, new_bytes)) fail(HG_ERR_ARGUMENT, "old_items and new_items overlap");
+    carry_items(h, item_size, old_items, new_items);
+  });
+}
+
+hg_status hg_history_pairs(const hg_history *history, const hg_pair **pairs, size_t *count) {
+  return guarded([&] {
+    check_pointer(history, "history");
+    check_pointer(pairs, "pairs");
+    check_pointer(count, "count");
+    *count = history->history.count();
+    *pairs = *count > 0 ? history->history.pairs() : nullptr;
+  });
+}
+
+hg_status hg_history_restore(hg_history *history, size_t count, const hg_pair *pairs) {
+  return guarded([&] {
+    check_pointer(history, "history");
+    if (count > 0) check_pointer(pairs, "pairs");
+    history->history.restore(count, pairs);
+  });
+}
+
+hg_status hg_history_clear(hg_history *history) {
+  return guarded([&] {
+    check_pointer(history, "history");
+    history->history.restore(0, nullptr);
+  });
+}

@@ -1,0 +1,41 @@
+/* SPDX-FileCopyrightText: The libhgrid developers
+ * SPDX-License-Identifier: BSD-3-Clause */
+
+/* hg_history_create: an empty list, and memory from the hooks. */
+#include "failing_alloc.h"
+#include "history_fixture.h"
+
+static void starts_empty(void **state) {
+  hg_history *history = make_empty_history();
+  double one = 1;
+  (void)state;
+  assert_remembers(history, NULL, 0);
+  assert_status(HG_ERR_STATE, hg_history_carry(history, sizeof one, NULL, &one));
+  hg_history_destroy(history);
+}
+
+static void null_is_refused(void **state) {
+  (void)state;
+  assert_status(HG_ERR_NULL, hg_history_create(NULL));
+}
+
+static void no_memory(void **state) {
+  hg_history *history = (hg_history *)(uintptr_t)0x10;
+  (void)state;
+  failing_alloc_install();
+  failing_alloc_arm(0);
+  assert_status(HG_ERR_MEMORY, hg_history_create(&history));
+  assert_null(history);
+  failing_alloc_arm(-1);
+  history = make_history();
+  assert_true(failing_alloc_books().live_bytes >= (long long)(AFTER_COUNT * 32));
+  hg_history_destroy(history);
+  assert_int_equal(0, failing_alloc_books().live_blocks);
+  failing_alloc_remove();
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(starts_empty), cmocka_unit_test(null_is_refused),
+                                     cmocka_unit_test(no_memory)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

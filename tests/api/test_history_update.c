@@ -1,0 +1,176 @@
+/* SPDX-FileCopyrightText: The libhgrid developers
+ * SPDX-License-Identifier: BSD-3-Clause */
+
+/* hg_history_update: places of pairs in the list before, through changed order, removal and failures. */
+#include "failing_alloc.h"
+#include "history_fixture.h"
+
+#include <stdlib.h>
+
+static void finds_places(void **state) {
+  const hg_pair last[2] = {{0, 0}, {1, 2}};
+  const int64_t places[2] = {3, 2};
+  hg_history *history = make_history();
+  (void)state;
+  assert_history(history);
+  assert_update(history, last, 2, places);
+  hg_history_destroy(history);
+}
+
+static void empty_lists(void **state) {
+  const int64_t none[BEFORE_COUNT] = {-1, -1, -1, -1};
+  hg_history *history = make_empty_history();
+  (void)state;
+  assert_update(history, NULL, 0, NULL);
+  assert_update(history, kBefore, BEFORE_COUNT, none);
+  assert_update(history, NULL, 0, NULL);
+  assert_remembers(history, NULL, 0);
+  assert_update(history, kBefore, BEFORE_COUNT, none);
+  hg_history_destroy(history);
+}
+
+/* The list of a checkpoint may come from the history itself. */
+static void its_own_list(void **state) {
+  const int64_t same[AFTER_COUNT] = {0, 1, 2, 3, 4};
+  hg_history *history = make_history();
+  const hg_pair *pairs;
+  size_t count;
+  (void)state;
+  assert_ok(hg_history_pairs(history, &pairs, &count));
+  assert_update(history, pairs, count, same);
+  assert_remembers(history, kAfter, AFTER_COUNT);
+  hg_history_destroy(history);
+}
+
+static void null_is_refused(void **state) {
+  const int64_t *previous;
+  hg_history *history = make_history();
+  (void)state;
+  assert_status(HG_ERR_NULL, hg_history_update(NULL, 1, kBefore, &previous));
+  assert_status(HG_ERR_NULL, hg_history_update(history, 1, NULL, &previous));
+  assert_status(HG_ERR_NULL, hg_history_update(history, 1, kBefore, NULL));
+  assert_history(history);
+  hg_history_destroy(history);
+}
+
+/* A pair that comes twice is found whether it was in the list before or not, whatever stands between. */
+static void a_pair_twice_is_refused(void **state) {
+  const hg_pair lists[4][4] = {{{5, 6}, {3, 4}, {5, 6}, {0, 0}}, /* new, new */
+                               {{3, 4}, {3, 4}, {1, 2}, {0, 0}}, /* old, side by side */
+                               {{3, 4}, {9, 7}, {1, 2}, {9, 7}}, /* old, in order the first time */
+                               {{-1, -1}, {1, 2}, {8, 8}, {1, 2}} /* old, out of order both times */};
+  const char *const texts[4] = {
+      "pairs[2] = (5, 6) is already listed as pairs[0]", "pairs[1] = (3, 4) is already listed as pairs[0]",
+      "pairs[3] = (9, 7) is already listed as pairs[1]", "pairs[3] = (1, 2) is already listed as pairs[1]"};
+  hg_history *history = make_history();
+  int k;
+  (void)state;
+  for (k = 0; k < 4; ++k) {
+    const int64_t *previous;
+    assert_status(HG_ERR_ARGUMENT, hg_history_update(history, 4, lists[k], &previous));
+    assert_error_names(texts[k]);
+    assert_history(history);
+  }
+  hg_history_destroy(history);
+}
+
+/* Particles leave a grid and others come, with gaps in the ids and the order turned: forces follow their contacts. */
+static void follows_a_grid(void **state) {
+  const double centers[6] = {20, 0, 0, 21, 0, 0}, radii[2] = {0.6, 0.6};
+  const int64_t none[CHAIN_COUNT - 1] = {-1, -1, -1, -1, -1, -1, -1, -1};
+  const int32_t gone = 4;
+  hg_grid *grid = make_chain(NULL);
+  hg_history *history = make_empty_history();
+  const hg_pair *pairs;
+  const int64_t *previous;
+  hg_pair before[CHAIN_COUNT - 1];
+  size_t count, k;
+  int fresh = 0;
+  (void)state;
+  assert_ok(hg_query_pairs(grid, &pairs, &count));
+  assert_int_equal(CHAIN_COUNT - 1, count);
+  for (k = 0; k < count; ++k) before[k] = pairs[k];
+  assert_update(history, pairs, count, none);
+  assert_ok(hg_remove(grid, 1, &gone));
+  assert_ok(hg_insert(grid, 2, centers, radii));
+  assert_ok(hg_query_pairs(grid, &pairs, &count));
+  assert_int_equal(CHAIN_COUNT - 2, count);
+  assert_ok(hg_history_update(history, count, pairs, &previous));
+  for (k = 0; k < count; ++k) {
+    if (previous[k] < 0) {
+      ++fresh;
+      assert_int_equal(CHAIN_COUNT, pairs[k].a);
+    } else {
+      assert_int_equal(pairs[k].a, before[previous[k]].a);
+      assert_int_equal(pairs[k].b, before[previous[k]].b);
+    }
+  }
+  assert_int_equal(1, fresh);
+  hg_history_destroy(history);
+  hg_destroy(grid);
+}
+
+enum { MANY = 1000 };
+static hg_history *watched;
+static hg_pair many[MANY];
+static void prepare(hg_grid **grid) {
+  int k;
+  (void)grid;
+  for (k = 0; k < MANY; ++k) {
+    many[k].a = k;
+    many[k].b = 7 * k + 1;
+  }
+  watched = make_history();
+}
+static hg_status update(hg_grid **grid) {
+  const int64_t *previous;
+  (void)grid;
+  return hg_history_update(watched, MANY, many, &previous);
+}
+static void unchanged(hg_grid *grid) {
+  (void)grid;
+  assert_history(watched);
+}
+static void done(hg_grid *grid) {
+  (void)grid;
+  assert_remembers(watched, many, MANY);
+  hg_history_destroy(watched);
+}
+
+static void no_memory(void **state) {
+  const alloc_scenario scenario = {prepare, update, unchanged, done};
+  (void)state;
+  assert_true(refuse_each_allocation(&scenario) > 3);
+}
+
+/* Long and short lists by turns. */
+static void six_steps(hg_history *history) {
+  int step;
+  for (step = 0; step < 6; ++step) {
+    const int64_t *previous;
+    const int is_long = step % 3 != 0;
+    assert_ok(hg_history_update(history, is_long ? MANY : BEFORE_COUNT, is_long ? many : kBefore, &previous));
+  }
+}
+
+/* After the longest lists have been seen, matching asks for no more memory. */
+static void keeps_its_memory(void **state) {
+  long long calls;
+  (void)state;
+  failing_alloc_install();
+  prepare(NULL);
+  six_steps(watched);
+  calls = failing_alloc_books().calls;
+  six_steps(watched);
+  assert_int_equal(calls, failing_alloc_books().calls);
+  hg_history_destroy(watched);
+  failing_alloc_remove();
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(finds_places),   cmocka_unit_test(empty_lists),
+                                     cmocka_unit_test(its_own_list),   cmocka_unit_test(null_is_refused),
+                                     cmocka_unit_test(follows_a_grid), cmocka_unit_test(a_pair_twice_is_refused),
+                                     cmocka_unit_test(no_memory),      cmocka_unit_test(keeps_its_memory)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,50 @@
+/* SPDX-FileCopyrightText: The libhgrid developers
+ * SPDX-License-Identifier: BSD-3-Clause */
+#include "history_fixture.h"
+
+/* Two pairs stay, the other way round; (7, 9) is not (9, 7). */
+const hg_pair kBefore[BEFORE_COUNT] = {{1, 2}, {7, 9}, {3, 4}, {2147483647, -2147483647 - 1}};
+const hg_pair kAfter[AFTER_COUNT] = {{3, 4}, {9, 7}, {1, 2}, {0, 0}, {-1, -1}};
+
+hg_history *make_empty_history(void) {
+  hg_history *history = NULL;
+  assert_ok(hg_history_create(&history));
+  assert_non_null(history);
+  return history;
+}
+
+void assert_update(hg_history *history, const hg_pair *pairs, size_t count, const int64_t *expected) {
+  const int64_t *previous = (const int64_t *)(uintptr_t)0x10;
+  size_t k;
+  assert_ok(hg_history_update(history, count, pairs, &previous));
+  if (count == 0) assert_null(previous);
+  for (k = 0; k < count; ++k) assert_int_equal(expected[k], previous[k]);
+}
+
+hg_history *make_history(void) {
+  const int64_t none[BEFORE_COUNT] = {-1, -1, -1, -1}, places[AFTER_COUNT] = {2, -1, 0, -1, -1};
+  hg_history *history = make_empty_history();
+  assert_update(history, kBefore, BEFORE_COUNT, none);
+  assert_update(history, kAfter, AFTER_COUNT, places);
+  return history;
+}
+
+void assert_remembers(const hg_history *history, const hg_pair *pairs, size_t count) {
+  const hg_pair *remembered = (const hg_pair *)(uintptr_t)0x10;
+  size_t remembered_count = 77, k;
+  assert_ok(hg_history_pairs(history, &remembered, &remembered_count));
+  assert_int_equal(count, remembered_count);
+  if (count == 0) assert_null(remembered);
+  for (k = 0; k < count; ++k) {
+    assert_int_equal(pairs[k].a, remembered[k].a);
+    assert_int_equal(pairs[k].b, remembered[k].b);
+  }
+}
+
+void assert_history(const hg_history *history) {
+  const double before[BEFORE_COUNT] = {10, 11, 12, 13}, expected[AFTER_COUNT] = {12, 0, 10, 0, 0};
+  double after[AFTER_COUNT] = {-1, -1, -1, -1, -1};
+  assert_remembers(history, kAfter, AFTER_COUNT);
+  assert_ok(hg_history_carry(history, sizeof before[0], before, after));
+  assert_memory_equal(expected, after, sizeof expected);
+}

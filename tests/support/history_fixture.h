@@ -1,0 +1,27 @@
+/* SPDX-FileCopyrightText: The libhgrid developers
+ * SPDX-License-Identifier: BSD-3-Clause */
+
+/* What the tests of contact histories start from: one that has matched a list to another, and what it must then say. */
+#ifndef HGTEST_HISTORY_FIXTURE_H
+#define HGTEST_HISTORY_FIXTURE_H
+
+#include "fixture.h"
+
+/* A history that has seen `kBefore`, then `kAfter`. */
+enum { BEFORE_COUNT = 4, AFTER_COUNT = 5 };
+extern const hg_pair kBefore[BEFORE_COUNT], kAfter[AFTER_COUNT];
+hg_history *make_history(void);
+
+/* A history that has seen nothing. */
+hg_history *make_empty_history(void);
+
+/* The history is as make_history left it: its list, and what it carries. */
+void assert_history(const hg_history *history);
+
+/* The history remembers exactly this list. */
+void assert_remembers(const hg_history *history, const hg_pair *pairs, size_t count);
+
+/* hg_history_update with this list says that its pairs were at these places. */
+void assert_update(hg_history *history, const hg_pair *pairs, size_t count, const int64_t *expected);
+
+#endif
