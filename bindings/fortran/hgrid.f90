@@ -17,12 +17,13 @@ module hgrid
         HG_LEVELS_AUTO, HG_LEVELS_PAPER, HG_LEVELS_USER, HG_MAX_LEVELS, HG_MAX_RANGE, HG_OK, &
         HG_ORDER_GRID, HG_ORDER_ID
     use hgrid_error, only: hg_error, hg_status_string, number_text, raise, settle, shape_text
+    use hgrid_history, only: hg_history
     use hgrid_visit, only: hg_pair_procedure, hg_pair_visitor
     implicit none
     private
 
-    public :: hg_default_grid_def, hg_error, hg_grid, hg_grid_def, hg_grid_stats, hg_level
-    public :: hg_level_cost, hg_pair_procedure, hg_pair_visitor, hg_status_string, hg_version
+    public :: hg_default_grid_def, hg_error, hg_grid, hg_grid_def, hg_grid_stats, hg_history
+    public :: hg_level, hg_level_cost, hg_pair_procedure, hg_pair_visitor, hg_status_string, hg_version
     public :: HG_OK, HG_ERR_NULL, HG_ERR_ARGUMENT, HG_ERR_MEMORY, HG_ERR_CAPACITY, HG_ERR_STATE
     public :: HG_ERR_NOT_FOUND, HG_ERR_LIMIT, HG_ERR_INTERNAL
     public :: HG_CONTACT, HG_MAX_RANGE, HG_EXACT, HG_DOUBLE, HG_FLOAT, HG_ORDER_GRID, HG_ORDER_ID

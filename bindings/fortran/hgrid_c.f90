@@ -15,6 +15,8 @@ module hgrid_c
 
     public :: hg_allocator, hg_grid_def, hg_grid_stats, hg_level, hg_level_cost, hg_pair
     public :: c_hg_build, c_hg_clear, c_hg_create, c_hg_destroy, c_hg_get_stats, c_hg_grid_def_init
+    public :: c_hg_history_carry, c_hg_history_clear, c_hg_history_create, c_hg_history_destroy
+    public :: c_hg_history_pairs, c_hg_history_restore, c_hg_history_update
     public :: c_hg_insert, c_hg_last_error, c_hg_move, c_hg_query_level_costs, c_hg_query_levels
     public :: c_hg_query_neighbors, c_hg_query_pairs, c_hg_query_sphere, c_hg_remove
     public :: c_hg_set_allocator, c_hg_status_string, c_hg_version, c_hg_visit_pairs
@@ -320,6 +322,78 @@ module hgrid_c
             integer(c_size_t), value :: struct_size
             integer(c_int32_t) :: status
         end function c_hg_get_stats
+
+        function c_hg_history_create(history) bind(c, name='hg_history_create') result(status)
+            import :: c_int32_t, c_ptr
+            !> The new history, null on failure
+            type(c_ptr), intent(out) :: history
+            integer(c_int32_t) :: status
+        end function c_hg_history_create
+
+        subroutine c_hg_history_destroy(history) bind(c, name='hg_history_destroy')
+            import :: c_ptr
+            !> The history; null is fine
+            type(c_ptr), value :: history
+        end subroutine c_hg_history_destroy
+
+        function c_hg_history_update(history, count, pairs, previous) &
+            bind(c, name='hg_history_update') result(status)
+            import :: c_int32_t, c_ptr, c_size_t
+            !> The history
+            type(c_ptr), value :: history
+            !> Number of pairs
+            integer(c_size_t), value :: count
+            !> hg_pair[count]
+            type(c_ptr), value :: pairs
+            !> int64_t[count], borrowed: places from 0, -1 for pairs that are new
+            type(c_ptr), intent(out) :: previous
+            integer(c_int32_t) :: status
+        end function c_hg_history_update
+
+        function c_hg_history_carry(history, item_size, old_items, new_items) &
+            bind(c, name='hg_history_carry') result(status)
+            import :: c_int32_t, c_ptr, c_size_t
+            !> The history
+            type(c_ptr), value :: history
+            !> Bytes for one contact
+            integer(c_size_t), value :: item_size
+            !> One item for each pair of the list before
+            type(c_ptr), value :: old_items
+            !> One item for each pair of the last list
+            type(c_ptr), value :: new_items
+            integer(c_int32_t) :: status
+        end function c_hg_history_carry
+
+        function c_hg_history_pairs(history, pairs, count) bind(c, name='hg_history_pairs') &
+            result(status)
+            import :: c_int32_t, c_ptr, c_size_t
+            !> The history
+            type(c_ptr), value :: history
+            !> hg_pair[count], borrowed
+            type(c_ptr), intent(out) :: pairs
+            !> Number of pairs
+            integer(c_size_t), intent(out) :: count
+            integer(c_int32_t) :: status
+        end function c_hg_history_pairs
+
+        function c_hg_history_restore(history, count, pairs) bind(c, name='hg_history_restore') &
+            result(status)
+            import :: c_int32_t, c_ptr, c_size_t
+            !> The history
+            type(c_ptr), value :: history
+            !> Number of pairs
+            integer(c_size_t), value :: count
+            !> hg_pair[count]
+            type(c_ptr), value :: pairs
+            integer(c_int32_t) :: status
+        end function c_hg_history_restore
+
+        function c_hg_history_clear(history) bind(c, name='hg_history_clear') result(status)
+            import :: c_int32_t, c_ptr
+            !> The history
+            type(c_ptr), value :: history
+            integer(c_int32_t) :: status
+        end function c_hg_history_clear
     end interface
 
 end module hgrid_c

@@ -5,13 +5,14 @@
 !> program to end there.
 program stops_on_error
     use, intrinsic :: iso_c_binding, only: c_double
-    use hgrid, only: hg_default_grid_def, hg_grid, hg_grid_def
+    use hgrid, only: hg_default_grid_def, hg_grid, hg_grid_def, hg_history
     implicit none
 
     character(len=16) :: way
     type(hg_grid) :: grid, other
     type(hg_grid) :: several(2), others(2)
     type(hg_grid_def) :: def
+    type(hg_history) :: history, second
 
     call get_command_argument(1, way)
     select case (way)
@@ -33,6 +34,9 @@ program stops_on_error
     case ('copy_array')
         call several(2)%create()
         others = several
+    case ('copy_history')
+        call history%create()
+        second = history
     case ('copy_empty')
         ! Nothing is owned, nothing can be freed twice: this one works.
         other = grid

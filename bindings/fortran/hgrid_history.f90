@@ -1,0 +1,346 @@
+! SPDX-FileCopyrightText: The libhgrid developers
+! SPDX-License-Identifier: BSD-3-Clause
+
+!> Contact history: data of contacts that follow them from one list of pairs to the next.
+module hgrid_history
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_float, &
+        c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
+    use hgrid_c, only: c_hg_history_carry, c_hg_history_clear, c_hg_history_create, &
+        c_hg_history_destroy, c_hg_history_pairs, c_hg_history_restore, c_hg_history_update, &
+        HG_ERR_ARGUMENT, HG_ERR_NULL, HG_ERR_STATE, HG_OK
+    use hgrid_error, only: hg_error, number_text, raise, settle, shape_text
+    implicit none
+    private
+
+    public :: hg_history
+
+    !> The list of pairs of the last step, and how a new one follows from it. It frees itself when it
+    !> goes out of scope.
+    type :: hg_history
+        private
+        type(c_ptr) :: handle = c_null_ptr
+        integer(c_size_t) :: former_count = 0, count = 0
+    contains
+        private
+        procedure :: carry_real64, carry_real64_rows, carry_real32, carry_real32_rows
+        procedure :: carry_int32, carry_int32_rows
+        procedure :: carry_memory, conclude, misfit
+        procedure, pass(self) :: refuse_copy
+        procedure, public :: create
+        procedure, public :: destroy
+        procedure, public :: update
+        !> carry(old, new): real64, real32 or int32, (count) or (rows, count)
+        generic, public :: carry => carry_real64, carry_real64_rows, carry_real32, &
+            carry_real32_rows, carry_int32, carry_int32_rows
+        procedure, public :: pairs => remembered_pairs
+        procedure, public :: restore
+        procedure, public :: clear
+        generic, public :: assignment(=) => refuse_copy
+        final :: finish
+    end type hg_history
+
+    ! What pointers show when the list is empty: a Fortran result must be associated.
+    integer(c_int32_t), target :: no_pairs(2, 0)
+
+contains
+
+    !> A history that remembers an empty list; a former one is destroyed.
+    subroutine create(self, err)
+        !> The history
+        class(hg_history), intent(inout) :: self
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        type(c_ptr) :: created
+        integer(c_int32_t) :: status
+
+        status = c_hg_history_create(created)
+        if (status == HG_OK) then
+            call self%destroy()
+            self%handle = created
+        end if
+        call settle(status, 'create', err)
+    end subroutine create
+
+    !> Frees the history; one that was never created is fine.
+    subroutine destroy(self)
+        !> The history
+        class(hg_history), intent(inout) :: self
+
+        call c_hg_history_destroy(self%handle)
+        self%handle = c_null_ptr
+        self%former_count = 0
+        self%count = 0
+    end subroutine destroy
+
+    impure elemental subroutine finish(self)
+        !> The history
+        type(hg_history), intent(inout) :: self
+
+        call self%destroy()
+    end subroutine finish
+
+    !> Matches a list of pairs to the one before, and remembers it instead.
+    subroutine update(self, pairs, previous, err)
+        !> The history
+        class(hg_history), intent(inout) :: self
+        !> (2, count), in any order, none twice
+        integer(c_int32_t), intent(in), contiguous, target :: pairs(:, :)
+        !> (count): place of each pair in the former list, from 1; 0 if it was not there
+        integer(c_int64_t), intent(inout), allocatable :: previous(:)
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        integer(c_int64_t), pointer :: places(:)
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+        type(c_ptr) :: memory
+
+        if (self%misfit(pairs, 'update', err)) return
+        count = size(pairs, 2, c_size_t)
+        status = c_hg_history_update(self%handle, count, c_loc(pairs), memory)
+        if (status == HG_OK) then
+            if (allocated(previous)) then
+                if (size(previous, kind=c_size_t) /= count) deallocate (previous)
+            end if
+            if (.not. allocated(previous)) allocate (previous(count))
+            if (count > 0) then
+                call c_f_pointer(memory, places, [count])
+                previous = places + 1
+            end if
+            self%former_count = self%count
+            self%count = count
+        end if
+        call self%conclude(status, 'update', err)
+    end subroutine update
+
+    !> The remembered list, for example for a checkpoint.
+    subroutine remembered_pairs(self, pairs, err)
+        !> The history
+        class(hg_history), intent(in) :: self
+        !> (2, count); memory of the history, to be read before it changes
+        integer(c_int32_t), pointer, intent(out) :: pairs(:, :)
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        type(c_ptr) :: memory
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        nullify (pairs)
+        status = c_hg_history_pairs(self%handle, memory, count)
+        if (status == HG_OK) then
+            pairs => no_pairs
+            if (count > 0) call c_f_pointer(memory, pairs, [2_c_size_t, count])
+        end if
+        call self%conclude(status, 'pairs', err)
+    end subroutine remembered_pairs
+
+    !> Remembers a list without matching it, for example that of a checkpoint.
+    subroutine restore(self, pairs, err)
+        !> The history
+        class(hg_history), intent(inout) :: self
+        !> (2, count), in any order, none twice
+        integer(c_int32_t), intent(in), contiguous, target :: pairs(:, :)
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        integer(c_int32_t) :: status
+
+        if (self%misfit(pairs, 'restore', err)) return
+        status = c_hg_history_restore(self%handle, size(pairs, 2, c_size_t), c_loc(pairs))
+        if (status == HG_OK) self%count = size(pairs, 2, c_size_t)
+        call self%conclude(status, 'restore', err)
+    end subroutine restore
+
+    !> Remembers an empty list.
+    subroutine clear(self, err)
+        !> The history
+        class(hg_history), intent(inout) :: self
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        integer(c_int32_t) :: status
+
+        status = c_hg_history_clear(self%handle)
+        if (status == HG_OK) self%count = 0
+        call self%conclude(status, 'clear', err)
+    end subroutine clear
+
+    subroutine carry_real64(self, old, new, err)
+        !> The history
+        class(hg_history), intent(in) :: self
+        !> (count of the list before)
+        real(c_double), intent(in), contiguous, target :: old(:)
+        !> (count of the last list): zero where a contact is new
+        real(c_double), intent(out), contiguous, target :: new(:)
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        call self%carry_memory(c_sizeof(0.0_c_double), c_loc(old), shape(old, c_size_t), &
+            c_loc(new), shape(new, c_size_t), err)
+    end subroutine carry_real64
+
+    subroutine carry_real64_rows(self, old, new, err)
+        !> The history
+        class(hg_history), intent(in) :: self
+        !> (rows, count of the list before)
+        real(c_double), intent(in), contiguous, target :: old(:, :)
+        !> (rows, count of the last list): zero where a contact is new
+        real(c_double), intent(out), contiguous, target :: new(:, :)
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        call self%carry_memory(c_sizeof(0.0_c_double), c_loc(old), shape(old, c_size_t), &
+            c_loc(new), shape(new, c_size_t), err)
+    end subroutine carry_real64_rows
+
+    subroutine carry_real32(self, old, new, err)
+        !> The history
+        class(hg_history), intent(in) :: self
+        !> (count of the list before)
+        real(c_float), intent(in), contiguous, target :: old(:)
+        !> (count of the last list): zero where a contact is new
+        real(c_float), intent(out), contiguous, target :: new(:)
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        call self%carry_memory(c_sizeof(0.0_c_float), c_loc(old), shape(old, c_size_t), &
+            c_loc(new), shape(new, c_size_t), err)
+    end subroutine carry_real32
+
+    subroutine carry_real32_rows(self, old, new, err)
+        !> The history
+        class(hg_history), intent(in) :: self
+        !> (rows, count of the list before)
+        real(c_float), intent(in), contiguous, target :: old(:, :)
+        !> (rows, count of the last list): zero where a contact is new
+        real(c_float), intent(out), contiguous, target :: new(:, :)
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        call self%carry_memory(c_sizeof(0.0_c_float), c_loc(old), shape(old, c_size_t), &
+            c_loc(new), shape(new, c_size_t), err)
+    end subroutine carry_real32_rows
+
+    subroutine carry_int32(self, old, new, err)
+        !> The history
+        class(hg_history), intent(in) :: self
+        !> (count of the list before)
+        integer(c_int32_t), intent(in), contiguous, target :: old(:)
+        !> (count of the last list): zero where a contact is new
+        integer(c_int32_t), intent(out), contiguous, target :: new(:)
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        call self%carry_memory(c_sizeof(0_c_int32_t), c_loc(old), shape(old, c_size_t), &
+            c_loc(new), shape(new, c_size_t), err)
+    end subroutine carry_int32
+
+    subroutine carry_int32_rows(self, old, new, err)
+        !> The history
+        class(hg_history), intent(in) :: self
+        !> (rows, count of the list before)
+        integer(c_int32_t), intent(in), contiguous, target :: old(:, :)
+        !> (rows, count of the last list): zero where a contact is new
+        integer(c_int32_t), intent(out), contiguous, target :: new(:, :)
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        call self%carry_memory(c_sizeof(0_c_int32_t), c_loc(old), shape(old, c_size_t), &
+            c_loc(new), shape(new, c_size_t), err)
+    end subroutine carry_int32_rows
+
+    !> What all kinds of carry have in common.
+    subroutine carry_memory(self, number_size, old, old_shape, new, new_shape, err)
+        !> The history
+        class(hg_history), intent(in) :: self
+        !> Bytes of one number
+        integer(c_size_t), intent(in) :: number_size
+        !> Address of the old numbers
+        type(c_ptr), intent(in) :: old
+        !> (count) or (rows, count)
+        integer(c_size_t), intent(in) :: old_shape(:)
+        !> Address of the new numbers
+        type(c_ptr), intent(in) :: new
+        !> As old_shape
+        integer(c_size_t), intent(in) :: new_shape(:)
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        character(len=:), allocatable :: shapes
+        integer(c_size_t) :: item_size
+        integer :: rank
+
+        rank = size(old_shape)
+        item_size = number_size
+        if (rank == 2) item_size = number_size*old_shape(1)
+        if (c_associated(self%handle)) then
+            shapes = 'carry: old'//shape_text(int(old_shape))//' and new'// &
+                shape_text(int(new_shape))
+            if (any(old_shape(:rank - 1) /= new_shape(:rank - 1))) then
+                call raise(HG_ERR_ARGUMENT, shapes//' differ in the number of rows', err)
+                return
+            end if
+            if (old_shape(rank) /= self%former_count .or. new_shape(rank) /= self%count) then
+                call raise(HG_ERR_ARGUMENT, shapes//' do not fit lists of '// &
+                    number_text(int(self%former_count))//' and '//number_text(int(self%count))// &
+                    ' pairs', err)
+                return
+            end if
+        end if
+        call self%conclude(c_hg_history_carry(self%handle, item_size, old, new), 'carry', err)
+    end subroutine carry_memory
+
+    !> Two copies would free the same memory twice; only histories that were never created may be
+    !> assigned.
+    impure elemental subroutine refuse_copy(left, self)
+        !> Left side of the assignment
+        class(hg_history), intent(inout) :: left
+        !> Right side of the assignment
+        class(hg_history), intent(in) :: self
+
+        if (c_associated(left%handle) .or. c_associated(self%handle)) then
+            call raise(HG_ERR_STATE, &
+                'an hg_history cannot be copied: pass it as an argument instead')
+        end if
+    end subroutine refuse_copy
+
+    !> Ends a call on the C history.
+    subroutine conclude(self, status, caller, err)
+        !> The history
+        class(hg_history), intent(in) :: self
+        !> What the C call returned
+        integer(c_int32_t), intent(in) :: status
+        !> Name of the Fortran call
+        character(len=*), intent(in) :: caller
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+
+        if (c_associated(self%handle)) then
+            call settle(status, caller, err)
+        else
+            call raise(HG_ERR_NULL, caller//': the history was not created, call create first', err)
+        end if
+    end subroutine conclude
+
+    !> Whether pairs has another shape than (2, count); then the failure has been reported.
+    function misfit(self, pairs, caller, err) result(wrong)
+        !> The history
+        class(hg_history), intent(in) :: self
+        !> What was given
+        integer(c_int32_t), intent(in) :: pairs(:, :)
+        !> Name of the Fortran call
+        character(len=*), intent(in) :: caller
+        !> Absent and failing: the program stops
+        type(hg_error), intent(out), optional :: err
+        logical :: wrong
+
+        wrong = c_associated(self%handle) .and. size(pairs, 1) /= 2
+        if (wrong) then
+            call raise(HG_ERR_ARGUMENT, caller//': pairs'//shape_text(shape(pairs))// &
+                ' has other than 2 rows', err)
+        end if
+    end function misfit
+
+end module hgrid_history
