@@ -29,6 +29,15 @@ typedef struct hg_grid {
 } hg_grid;
 %ignore hg_destroy;
 
+/* The same for a contact history, made by hg_history_create. */
+%nodefaultctor hg_history;
+typedef struct hg_history {
+  %extend {
+    ~hg_history() { hg_history_destroy($self); }
+  }
+} hg_history;
+%ignore hg_history_destroy;
+
 /* A definition starts with the defaults of the library. Pointers and bookkeeping are no business of scripts. */
 %extend hg_grid_def {
   hg_grid_def(void) {
@@ -50,6 +59,7 @@ typedef struct hg_grid {
 %ignore hg_create;
 %ignore hg_get_stats;
 %ignore hg_query_neighbors;
+%ignore hg_history_update;
 
 %apply int *OUTPUT { int *major, int *minor, int *patch };
 %apply Pointer NONNULL { const hg_grid_def *def };
@@ -79,8 +89,19 @@ static hg_status hg_list_neighbors(hg_grid *grid, int32_t list, const int64_t **
   *neighbor_count = (size_t)(*offsets)[stats.particle_count];
   return HG_OK;
 }
+
+/* hg_history_update with the length of its result. */
+static hg_status hg_match_pairs(hg_history *history, size_t count, const hg_pair *pairs, const int64_t **previous,
+                                size_t *previous_count) {
+  *previous_count = count;
+  return hg_history_update(history, count, pairs, previous);
+}
 %}
+
+/* Data of contacts are arrays of the language, which gathers them by itself. */
+%ignore hg_history_carry;
 
 %include <hgrid/base.h>
 %include <hgrid/types.h>
 %include <hgrid/grid.h>
+%include <hgrid/history.h>

@@ -24,6 +24,7 @@
 %hgrid_counted_array(double, centers, 'd', 2)
 %hgrid_counted_array(double, cell_sizes, 'd', 1)
 %hgrid_counted_array(int32_t, ids, 'i', 1)
+%hgrid_counted_array(hg_pair, pairs, 'i', 2)
 
 %define %hgrid_plain_array(NAME)
 %typemap(in) const double *NAME (Py_buffer view) {
@@ -51,11 +52,15 @@
   $1 = flags;
 }
 
-/* A new grid, owned by its proxy. */
-%typemap(in, numinputs=0) hg_grid **grid (hg_grid *made = NULL) { $1 = &made; }
-%typemap(argout) hg_grid **grid {
+/* A new object, owned by its proxy. */
+%define %hgrid_new_object(TYPE, NAME)
+%typemap(in, numinputs=0) TYPE **NAME (TYPE *made = NULL) { $1 = &made; }
+%typemap(argout) TYPE **NAME {
   %append_output(SWIG_NewPointerObj(made$argnum, $*1_descriptor, SWIG_POINTER_OWN));
 }
+%enddef
+%hgrid_new_object(hg_grid, grid)
+%hgrid_new_object(hg_history, history)
 
 /* Arrays out. */
 %define %hgrid_lent_array(TYPE, NAME, COUNT)
@@ -71,6 +76,7 @@
 %hgrid_lent_array(int32_t, ids, count)
 %hgrid_lent_array(int64_t, offsets, offset_count)
 %hgrid_lent_array(int32_t, neighbors, neighbor_count)
+%hgrid_lent_array(int64_t, previous, previous_count)
 
 /* Lists of structs out, each a copy owned by its proxy. */
 %define %hgrid_struct_list(TYPE, NAME)

@@ -7,7 +7,7 @@
         grid.insert(x, r)               # numpy (n, 3) and (n,)
         pairs = grid.query_pairs()      # numpy int32 (m, 2)
 
-The class Grid does the work; help(hgrid.Grid) tells all. Failures raise hgrid.Error or one of its subclasses. The
+The class Grid does the work, the class History lets data follow contacts; help(hgrid.Grid) tells all. Failures raise hgrid.Error or one of its subclasses. The
 constants HG_... are those of the C interface.
 """
 
@@ -36,6 +36,7 @@ from .capi import (
 )
 from .errors import ArgumentError, Error, LimitError, NotFoundError, OutOfMemoryError, StateError
 from .grid import Grid
+from .history import History
 from .records import Level, LevelCost, Stats
 
 
@@ -50,6 +51,7 @@ __all__ = [name for name in dir() if name.startswith("HG_")] + [
     "ArgumentError",
     "Error",
     "Grid",
+    "History",
     "Level",
     "LevelCost",
     "LimitError",

@@ -29,19 +29,39 @@ def reals(values, name, shape):
     return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
 
 
-def ids(values, name):
-    """`values` as a contiguous int32 array of shape (n,)."""
-    array = np.asarray(values)
-    check_shape(array, name, ("n",))
+def _int32(array, name, refuse):
+    """`array` as contiguous int32; refuse(index, value) raises for the first value that does not fit."""
     if array.size == 0:
-        return np.empty(0, dtype=np.int32)
+        return np.empty(array.shape, dtype=np.int32)
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name} must hold integers, not {array.dtype}")
-    outside = np.flatnonzero((array < _ID_RANGE.min) | (array > _ID_RANGE.max))
+    outside = np.argwhere((array < _ID_RANGE.min) | (array > _ID_RANGE.max))
     if outside.size > 0:
-        k = outside[0]
-        raise NotFoundError(f"{name}[{k}] = {array[k]}: no particle has that id")
+        index = tuple(outside[0])
+        refuse("".join(f"[{k}]" for k in index), array[index])
     return np.require(array, np.int32, ["C_CONTIGUOUS", "ALIGNED"])
+
+
+def ids(values, name):
+    """`values` as a contiguous int32 array of shape (n,)."""
+
+    def refuse(index, value):
+        raise NotFoundError(f"{name}{index} = {value}: no particle has that id")
+
+    array = np.asarray(values)
+    check_shape(array, name, ("n",))
+    return _int32(array, name, refuse)
+
+
+def pairs(values, name):
+    """`values` as a contiguous int32 array of shape (m, 2)."""
+
+    def refuse(index, value):
+        raise ArgumentError(f"{name}{index} = {value}: does not fit in 32 bits")
+
+    array = np.asarray(values)
+    check_shape(array, name, ("m", 2))
+    return _int32(array, name, refuse)
 
 
 def copy_out(view, dtype):
