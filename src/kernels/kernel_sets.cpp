@@ -27,6 +27,8 @@ const KernelSet &choose() {
     {&kAvx512Kernels, avx512},
     {&kAvx2Kernels, avx2},
     {&kSse2Kernels, true},
+#elif defined(HGRID_ARM64)
+    {&kNeonKernels, true},
 #endif
     {&kScalarKernels, true},
   };

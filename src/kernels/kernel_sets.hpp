@@ -11,6 +11,7 @@ extern const KernelSet kScalarKernels;
 extern const KernelSet kSse2Kernels;
 extern const KernelSet kAvx2Kernels;
 extern const KernelSet kAvx512Kernels;
+extern const KernelSet kNeonKernels;
 
 // The best that this machine runs, or what the environment variable HGRID_ISA names. Chosen once, at the first call.
 // Throws HG_ERR_ARGUMENT if HGRID_ISA names an instruction set that is unknown, not built or not supported here.

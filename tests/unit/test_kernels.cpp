@@ -104,6 +104,8 @@ std::vector<const KernelSet *> kernel_sets() {
       __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0) {
     sets.push_back(&hg::kAvx512Kernels);
   }
+#elif defined(__aarch64__)
+  sets.push_back(&hg::kNeonKernels);
 #endif
   return sets;
 }

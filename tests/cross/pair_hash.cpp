@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Prints a hash of the pairs of some seeded scenes, in the order and the bytes in which the library gives them. Two
+// machines, instruction sets or builds must print the same.
+#include "compare.hpp"
+#include "rng.hpp"
+
+#include <cinttypes>
+#include <cstdio>
+
+namespace {
+
+using namespace hgtest;
+
+// FNV-1a (Fowler, Noll, Vo) over the ids, lowest byte first on any machine.
+std::uint64_t hash_of(const hg_pair *pairs, std::size_t count) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (const std::int32_t id : {pairs[k].a, pairs[k].b}) {
+      for (int byte = 0; byte < 4; ++byte) {
+        hash = (hash ^ (static_cast<std::uint32_t>(id) >> (8 * byte) & 0xffU)) * 0x100000001b3U;
+      }
+    }
+  }
+  return hash;
+}
+
+// Positions and radii by sums, products and quotients alone, which are the same on every machine with IEEE doubles.
+Particles fill(Rng &rng, int dimension, double size_ratio) {
+  Particles particles;
+  particles.dimension = dimension;
+  const int count = rng.integer(500, 4000);
+  const double spacing = dimension == 3 ? 0.08 : 0.02;
+  for (int i = 0; i < count; ++i) {
+    double center[3];
+    for (double &x : center) x = rng.chance(0.1) ? rng.integer(0, 8) * 0.125 : rng.uniform();
+    const double largest = spacing * (rng.chance(0.9) ? 1 : 3);
+    particles.add(center, largest / (size_ratio - (size_ratio - 1) * rng.uniform()));
+  }
+  return particles;
+}
+
+hg_grid_def definition(Rng &rng, int dimension) {
+  hg_grid_def def = hg_default_grid_def();
+  def.dimension = dimension;
+  def.thread_count = rng.integer(1, 2);
+  def.interaction = rng.chance(0.3) ? HG_MAX_RANGE : HG_CONTACT;
+  def.accuracy = rng.integer(HG_EXACT, HG_FLOAT);
+  def.margin = rng.chance(0.3) ? 0.001 : 0;
+  for (int k = 0; k < dimension; ++k) {
+    def.periodic[k] = rng.chance(0.4) ? 1 : 0;
+    def.box_max[k] = 1;
+  }
+  return def;
+}
+
+void print_scene(std::uint64_t seed) {
+  Rng rng(seed);
+  const int dimension = rng.integer(2, 3);
+  const double size_ratio = rng.chance(0.3) ? 1 : rng.uniform(2, 100);
+  const hg_grid_def def = definition(rng, dimension);
+  const Particles particles = fill(rng, dimension, size_ratio);
+  const Grid grid = make_grid(def, particles);
+  const hg_pair *pairs = nullptr;
+  const hg_level *levels = nullptr;
+  std::size_t count = 0, level_count = 0;
+  require_ok(hg_query_pairs(grid.get(), &pairs, &count), "hg_query_pairs");
+  require_ok(hg_query_levels(grid.get(), &levels, &level_count), "hg_query_levels");
+  std::printf("seed %2" PRIu64 ": %dD, %5zu particles on %zu levels, %6zu pairs, hash %016" PRIx64 "\n", seed,
+              dimension, particles.size(), level_count, count, hash_of(pairs, count));
+}
+
+}  // namespace
+
+int main() {
+  bool all = true;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) all &= holds(seed, print_scene);
+  return all ? 0 : 1;
+}
