@@ -206,8 +206,9 @@ class Builder {
     double origin[3] = {0, 0, 0};
     for (int k = 0; k < D; k++) origin[k] = 2 * index_.frame.half_origin[k];
     uint32_t *slots = index_.particles.slot.data() + l.begin;
-    // Any width will do for correctness; a level of points alone (s_h = 0) still needs one.
-    const double width = std::max(l.plan.cell_size, 1.0 / index_.frame.scale);
+    // Any width will do for correctness; a level of points alone (s_h = 0) still needs one. Not the quantum otherwise: one
+    // particle far away makes that wider than a crowd.
+    const double width = l.plan.cell_size > 0 ? l.plan.cell_size : 1.0 / index_.frame.scale;
     l.rows = index_.sparse.add_level(store_, index_.domain, origin, width, slots, l.begin, count);
     for (uint32_t i = l.begin; i < l.end; i++) place(i, index_.particles.slot[i]);
   }

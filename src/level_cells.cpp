@@ -9,6 +9,7 @@ namespace hg {
 namespace {
 
 constexpr double kMaxCellsPerAxis = 262144;  // 2^18, so that a cell is never below 4096 quanta
+constexpr double kLeastCell = 4096.0;        // quanta
 
 // Rows must be as wide as the window of a search on their own level, so that only next neighbours are visited.
 double least_row_width(double cell_size) { return (cell_size + 2.0 * kWindowSlack) * (1.0 + 0x1p-16); }
@@ -30,10 +31,11 @@ double total(const double *extent, const double *width, int dimension) {
 
 LevelCells lay_cells(const Frame &frame, int dimension, double cell_size, size_t particles) {
   double width[3];
-  width[0] = std::max(kCellLength * cell_size, 4096.0);
+  width[0] = std::max(kCellLength * cell_size, kLeastCell);
   width[1] = width[2] = std::max(kRowWidth * cell_size, least_row_width(cell_size));
 
   LevelCells level;
+  level.widened = kCellLength * cell_size < kLeastCell;
   const double most = std::min(kCellsPerParticle * static_cast<double>(particles) + kFewCells, kMaxCells);
   for (double cells = total(frame.extent, width, dimension); cells > most;
        cells = total(frame.extent, width, dimension)) {
