@@ -3,6 +3,7 @@
 #include "definition.hpp"
 
 #include "error.hpp"
+#include "sign.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,7 @@ void check_choice(const char *name, int32_t value, int32_t least, int32_t greate
 }
 
 void check_length(const char *name, double value) {
-  if (!std::isfinite(value) || value < 0) fail(HG_ERR_ARGUMENT, "def.%s = %g is not finite and >= 0", name, value);
+  if (!std::isfinite(value) || is_negative(value)) fail(HG_ERR_ARGUMENT, "def.%s = %g is not finite and >= 0", name, value);
 }
 
 Domain check_domain(const hg_grid_def &def) {

@@ -6,6 +6,7 @@
 #include "pair_search.hpp"
 #include "pair_visit.hpp"
 #include "parallel.hpp"
+#include "sign.hpp"
 #include "sphere_search.hpp"
 
 #include <algorithm>
@@ -288,7 +289,7 @@ size_t Grid::query_sphere(const Ball &sphere, Buffer<int32_t> &found) {
       fail(HG_ERR_ARGUMENT, "center[%d] = %g: more than 2^20 box lengths outside the periodic box", k, x);
     }
   }
-  if (!std::isfinite(sphere.radius) || sphere.radius < 0) {
+  if (!std::isfinite(sphere.radius) || is_negative(sphere.radius)) {
     fail(HG_ERR_ARGUMENT, "radius = %g is not finite and >= 0", sphere.radius);
   }
   build();

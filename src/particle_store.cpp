@@ -6,6 +6,7 @@
 #include "exact_sign.hpp"
 #include "kernels/kernel_sets.hpp"
 #include "parallel.hpp"
+#include "sign.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -158,7 +159,10 @@ Survey ParticleStore::look_at(const SurveyInput &input) const {
 }
 
 void ParticleStore::check(const SurveyInput &input, const Survey &found) const {
-  if (!found.finite || found.radius.least < 0) report(input.count, input.centers, input.radii);
+  // Where a host has subnormals taken for zero, a least radius of 0 may be negative.
+  const bool some_negative = input.radii != nullptr && !(found.radius.least > 0) &&
+                             std::any_of(input.radii, input.radii + input.count, is_negative);
+  if (!found.finite || some_negative) report(input.count, input.centers, input.radii);
   check_wraps(input, found);
   if (input.radii == nullptr) return;
   const double radius = found.radius.greatest;
@@ -215,7 +219,7 @@ void ParticleStore::report(size_t count, const double *centers, const double *ra
     if (radii != nullptr && !(std::fabs(radii[i]) <= kLargest)) {
       fail(HG_ERR_ARGUMENT, "radii[%zu] = %g is not finite", i, radii[i]);
     }
-    if (radii != nullptr && radii[i] < 0) fail(HG_ERR_ARGUMENT, "radii[%zu] = %g is negative", i, radii[i]);
+    if (radii != nullptr && is_negative(radii[i])) fail(HG_ERR_ARGUMENT, "radii[%zu] = %g is negative", i, radii[i]);
   }
   fail(HG_ERR_INTERNAL, "a bad value was seen but not found again");
 }
