@@ -10,6 +10,9 @@
 #if defined(_OPENMP)
 #include <omp.h>
 #endif
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#endif
 
 namespace hg {
 
@@ -27,12 +30,24 @@ inline int usable_threads(int thread_count) {
 #endif
 }
 
+// False in a child that was forked after threads had been used: it has none of them, and the OpenMP of gcc would wait
+// for them for ever.
+inline bool process_has_its_threads() {
+#if defined(__unix__) || defined(__APPLE__)
+  static const pid_t first_user = getpid();
+  return getpid() == first_user;
+#else
+  return true;
+#endif
+}
+
 // Calls body(task, worker) for every task in [0, tasks), worker in [0, threads). The first exception is passed on after
-// all have stopped. With one thread, or one task, everything happens on the calling thread.
+// all have stopped. With one thread, or one task, or in a forked child, everything happens on the calling
+// thread.
 template <class Body>
 void parallel_for(int threads, size_t tasks, Body &&body) {
 #if defined(_OPENMP)
-  if (threads > 1 && tasks > 1) {
+  if (threads > 1 && tasks > 1 && process_has_its_threads()) {
     std::exception_ptr failure;
     bool failed = false;
     const auto count = static_cast<long long>(tasks);
