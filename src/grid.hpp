@@ -44,6 +44,7 @@ class Grid {
   // True on a thread that is inside a visitor of this grid.
   bool is_visited() const;
   const hg_allocator &allocator() const { return memory_.allocator(); }
+  size_t dimension() const { return static_cast<size_t>(definition_.dimension); }
 
  private:
   void build_locked();

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The functions of include/hgrid/grid.h and types.h.
+#include "aligned.hpp"
 #include "guard.hpp"
 
 #include <cstring>
 
+using hg::Aligned;
 using hg::check_pointer;
 using hg::fail;
 using hg::Grid;
@@ -60,21 +62,23 @@ hg_status hg_insert(hg_grid *grid, size_t count, const double *centers, const do
   return on_grid(grid, [&](Grid &g) {
     if (count > 0) check_pointer(centers, "centers");
     if (count > 0) check_pointer(radii, "radii");
-    g.insert(count, centers, radii);
+    const Aligned<double> x(g.allocator(), centers, count, g.dimension()), r(g.allocator(), radii, count);
+    g.insert(count, x.get(), r.get());
   });
 }
 
 hg_status hg_move(hg_grid *grid, size_t count, const double *centers, const double *radii) {
   return on_grid(grid, [&](Grid &g) {
     if (count > 0) check_pointer(centers, "centers");
-    g.move(count, centers, radii);
+    const Aligned<double> x(g.allocator(), centers, count, g.dimension()), r(g.allocator(), radii, count);
+    g.move(count, x.get(), r.get());
   });
 }
 
 hg_status hg_remove(hg_grid *grid, size_t count, const int32_t *ids) {
   return on_grid(grid, [&](Grid &g) {
     if (count > 0) check_pointer(ids, "ids");
-    g.remove(count, ids);
+    g.remove(count, Aligned<int32_t>(g.allocator(), ids, count).get());
   });
 }
 
@@ -117,8 +121,9 @@ hg_status hg_query_sphere(hg_grid *grid, const double *center, double radius, co
     check_pointer(center, "center");
     check_pointer(ids, "ids");
     check_pointer(count, "count");
+    const Aligned<double> x(g.allocator(), center, 1, g.dimension());
     hg::SphereResult &result = hg::sphere_result();
-    const size_t found = g.query_sphere({center, radius}, result.ids);
+    const size_t found = g.query_sphere({x.get(), radius}, result.ids);
     *ids = found == 0 ? nullptr : result.ids.data();
     *count = found;
   });
