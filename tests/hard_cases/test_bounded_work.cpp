@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Inputs made to cost a grid time or memory. No clock: the work is counted, by hg_get_stats, against the particles and
+// the pairs that there are.
+#include "compare.hpp"
+#include "frame.h"
+#include "rng.hpp"
+#include "sweep.hpp"
+
+#include <cmath>
+#include <initializer_list>
+
+namespace {
+
+using namespace hgtest;
+
+struct Counted {
+  Pairs pairs;
+  hg_grid_stats stats;
+};
+
+Counted count_pairs(const hg_grid_def &def, const Particles &particles) {
+  const Grid grid = make_grid(def, particles);
+  Counted counted;
+  counted.pairs = sorted_pairs_of(grid);
+  require_ok(hg_get_stats(grid.get(), &counted.stats, sizeof counted.stats), "hg_get_stats");
+  return counted;
+}
+
+// Tests and places grow with the particles and pairs alone; the factors are several times what is needed now.
+void require_bounded(const std::string &what, const Counted &counted, double tests_per_particle) {
+  const hg_grid_stats &s = counted.stats;
+  const double particles = static_cast<double>(s.particle_count), pairs = static_cast<double>(s.pair_count);
+  const double tests = static_cast<double>(s.candidate_count);
+  require(tests <= tests_per_particle * particles + 4 * pairs,
+          what + ": " + std::to_string(s.candidate_count) + " tests for " + std::to_string(s.particle_count) +
+              " particles and " + std::to_string(s.pair_count) + " pairs");
+  require(static_cast<double>(s.cell_count + s.row_count) <= 16 * particles + 10000,
+          what + ": " + std::to_string(s.cell_count) + " cells for " + std::to_string(s.particle_count) + " particles");
+  require(static_cast<double>(s.byte_count) <= 512 * particles + 64 * pairs + 1e6,
+          what + ": " + std::to_string(s.byte_count) + " bytes for " + std::to_string(s.particle_count) + " particles");
+}
+
+void require_exact_and_bounded(const std::string &what, const Particles &particles, double tests_per_particle) {
+  for (const std::int32_t rule : {HG_LEVELS_AUTO, HG_LEVELS_PAPER}) {
+    hg_grid_def def = hg_default_grid_def();
+    def.thread_count = 1;
+    def.level_rule = rule;
+    const Counted counted = count_pairs(def, particles);
+    require_same(what.c_str(), counted.pairs, swept_pairs(def, particles, exact_interact));
+    require_bounded(what + ", rule " + std::to_string(rule), counted, tests_per_particle);
+  }
+}
+
+Particles cloud(Rng &rng, int count, double half_width, double radius) {
+  Particles particles;
+  for (int i = 0; i < count; ++i) {
+    double center[3];
+    for (double &x : center) x = rng.uniform(-half_width, half_width);
+    particles.add(center, radius);
+  }
+  return particles;
+}
+
+// One giant over a hundred thousand particles a million times smaller, most of them inside it: it must meet particles,
+// not the 10^18 cells of their size that it covers.
+void giant_over_dust(void **) {
+  assert_true(holds(1, [](std::uint64_t seed) {
+    Rng rng(seed);
+    Particles particles = cloud(rng, 100000, 1.1, 1e-6);
+    const double origin[3] = {0, 0, 0};
+    particles.add(origin, 1);
+    require_exact_and_bounded("giant over dust", particles, 8);
+  }));
+}
+
+// The dust lies close together, so that its cells are as fine as the coordinates of the search allow.
+void giant_over_crowded_dust(void **) {
+  assert_true(holds(2, [](std::uint64_t seed) {
+    Rng rng(seed);
+    for (const double ratio : {1e6, 1e9, 1e12}) {
+      const double radius = 1 / ratio;
+      Particles particles = cloud(rng, 20000, 50 * radius, radius);
+      const double origin[3] = {0.5, 0, 0};
+      particles.add(origin, 1);
+      require_exact_and_bounded("crowded dust, ratio " + std::to_string(ratio), particles, 100);
+    }
+  }));
+}
+
+// As many particles in each decade of sizes, over six decades, at the density of a loose packing.
+void power_law_at_ratio_1e6(void **) {
+  assert_true(holds(3, [](std::uint64_t seed) {
+    Rng rng(seed);
+    constexpr int kCount = 50000;
+    std::vector<double> radii;
+    double volume = 0;
+    for (int i = 0; i < kCount; ++i) {
+      radii.push_back(std::pow(10, -6.0 * i / (kCount - 1)));
+      volume += 4.0 / 3 * 3.14159265358979 * radii.back() * radii.back() * radii.back();
+    }
+    const double edge = std::cbrt(volume / 0.6);
+    Particles particles;
+    for (const double radius : radii) {
+      double center[3];
+      for (double &x : center) x = rng.uniform(0, edge);
+      particles.add(center, radius);
+    }
+    require_exact_and_bounded("power law", particles, 100);
+  }));
+}
+
+struct Tally {
+  std::size_t pairs = 0, batches = 0;
+  std::int64_t sum = 0;
+};
+std::int32_t tally(void *context, const hg_pair *pairs, std::size_t count) {
+  Tally *t = static_cast<Tally *>(context);
+  t->pairs += count;
+  ++t->batches;
+  for (std::size_t p = 0; p < count; ++p) t->sum += pairs[p].a + pairs[p].b;
+  return 0;
+}
+
+// N (N - 1) / 2 pairs, in which each id comes N - 1 times; visited, they are never in memory together.
+void ten_thousand_at_one_point(void **) {
+  assert_true(holds(0, [](std::uint64_t) {
+    constexpr std::int64_t kCount = 10000;
+    Particles particles;
+    const double center[3] = {1, 2, 3};
+    for (int i = 0; i < kCount; ++i) particles.add(center, 0.1);
+    const Grid grid = make_grid(hg_default_grid_def(), particles);
+    Tally t;
+    require_ok(hg_visit_pairs(grid.get(), tally, &t), "hg_visit_pairs");
+    require(t.pairs == kCount * (kCount - 1) / 2, std::to_string(t.pairs) + " pairs");
+    require(t.sum == kCount * (kCount - 1) / 2 * (kCount - 1), "wrong ids");
+    require(t.batches > 1, "all pairs in one batch");
+    hg_grid_stats stats;
+    require_ok(hg_get_stats(grid.get(), &stats, sizeof stats), "hg_get_stats");
+    require(stats.candidate_count == kCount * (kCount - 1) / 2, "pairs were tested twice");
+    require(stats.byte_count < 512 * kCount, "the pairs were stored");
+  }));
+}
+
+// No two particles near each other: nothing to test, and memory for the particles, not for the space between.
+void sparse_cloud(void **) {
+  assert_true(holds(4, [](std::uint64_t seed) {
+    Rng rng(seed);
+    require_exact_and_bounded("sparse cloud", cloud(rng, 20000, 5e5, 0.5), 1);
+  }));
+}
+
+// A crowd, and particles far away that make a table of cells coarse.
+void crowd_with_outliers(void **) {
+  assert_true(holds(5, [](std::uint64_t seed) {
+    Rng rng(seed);
+    Particles particles = cloud(rng, 20000, 15, 0.5);
+    const double far[3][3] = {{1e9, 0, 0}, {-1e9, 1e9, 5}, {3, 4, -1e12}};
+    for (const auto &center : far) particles.add(center, 0.5);
+    require_exact_and_bounded("crowd with outliers", particles, 100);
+  }));
+}
+
+// Lattices whose strides are powers of two, mirrored about the origin: coordinates that hash functions by shifts and
+// products put into few slots. At each point a triple of which two pairs touch and none overlaps, and one overlap.
+void strided_lattices(void **) {
+  assert_true(holds(0, [](std::uint64_t) {
+    for (const double stride : {0x1p3, 0x1p16, 0x1p32, 0x1p44}) {
+      Particles particles;
+      for (int at = 0; at < 20 * 20 * 20; ++at) {
+        const double center[3] = {stride * (at % 20 - 10), stride * (at / 20 % 20 - 10), stride * (at / 400 - 10)};
+        for (const double offset : {0.0, 1.0, 2.0, 2.5}) {
+          const double moved[3] = {center[0] + offset, center[1], center[2]};
+          particles.add(moved, 0.5);
+        }
+      }
+      require_exact_and_bounded("stride " + std::to_string(stride), particles, 16);
+    }
+  }));
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {cmocka_unit_test(giant_over_dust),        cmocka_unit_test(giant_over_crowded_dust),
+                              cmocka_unit_test(power_law_at_ratio_1e6), cmocka_unit_test(ten_thousand_at_one_point),
+                              cmocka_unit_test(sparse_cloud),           cmocka_unit_test(crowd_with_outliers),
+                              cmocka_unit_test(strided_lattices)};
+  return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
