@@ -24,7 +24,7 @@ class Error : public std::exception {
   char text_[256];  // no allocation: the cause may be that there is no memory
 };
 
-__attribute__((format(printf, 2, 3))) [[noreturn]] inline void fail(hg_status status, const char *format, ...) {
+[[noreturn, gnu::format(printf, 2, 3)]] inline void fail(hg_status status, const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
   Error error(status, format, arguments);
