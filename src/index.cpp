@@ -254,7 +254,6 @@ void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store
                  const LevelPlan &plan, int threads) {
   const size_t count = store.slots();
   index.particles.require(count, index.domain.dimension);
-  index.frame = Frame::over(bounds, index.domain, index.interaction.diameter(bounds.max_radius));
   index.largest_radius = bounds.max_radius;
   index.level_count = plan.level_count;
   index.row_count = index.cell_count = 0;
@@ -265,6 +264,8 @@ void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store
   }
   index.task_count = 0;
   if (count == 0) return;
+  // Only now: without particles a box has no resolution that its period could be counted in.
+  index.frame = Frame::over(bounds, index.domain, index.interaction.diameter(bounds.max_radius));
   if (index.domain.dimension == 2) {
     Builder<2>(index, scratch, store, threads).run();
   } else {
