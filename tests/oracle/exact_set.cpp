@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "exact_set.hpp"
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace oracle {
+namespace {
+
+using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+// value = odd number * 2^exponent; 0 has none.
+int exponent_of(double value) {
+  int exponent = 0;
+  const double mantissa = std::ldexp(std::frexp(value, &exponent), 53);
+  exponent -= 53;
+  for (auto whole = static_cast<std::int64_t>(mantissa); whole % 2 == 0; whole /= 2) ++exponent;
+  return exponent;
+}
+
+// Turns doubles into multiples of 2^least.
+class Scale {
+ public:
+  void include(double value) {
+    if (value != 0) least_ = std::min(least_, exponent_of(value));
+  }
+  mpz_class whole(double value) const {
+    if (value == 0) return 0;
+    const int exponent = exponent_of(value);
+    mpz_class result(std::ldexp(value, -exponent));
+    mpz_mul_2exp(result.get_mpz_t(), result.get_mpz_t(), static_cast<unsigned long>(exponent - least_));
+    return result;
+  }
+
+ private:
+  int least_ = 2000;
+};
+
+// The nearest image of a difference: |d| <= length / 2.
+void fold(mpz_class &d, const mpz_class &length) {
+  mpz_class shifted = 2 * d + length, quotient;
+  mpz_fdiv_q(quotient.get_mpz_t(), shifted.get_mpz_t(), mpz_class(2 * length).get_mpz_t());
+  d -= quotient * length;
+}
+
+void fold(__float128 &d, __float128 length) {
+  while (2 * d >= length) d -= length;
+  while (2 * d < -length) d += length;
+}
+
+void fold(double &d, double length) { d -= std::nearbyint(d / length) * length; }
+
+// The set in one kind of numbers.
+template <class Number>
+struct Numbers {
+  std::vector<Number> center[3];
+  std::vector<Number> radius;
+  Number length[3] = {0, 0, 0};  // 0: open
+
+  bool overlap(std::size_t i, std::size_t j) const {
+    Number sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      Number d = center[k][i] - center[k][j];
+      if (length[k] != 0) fold(d, length[k]);
+      sum += d * d;
+    }
+    const Number reach = radius[i] + radius[j];
+    return sum < reach * reach;
+  }
+};
+
+template <class Number, class Convert>
+Numbers<Number> converted(const Set &set, Convert convert) {
+  Numbers<Number> numbers;
+  for (std::size_t i = 0; i < set.radii.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) numbers.center[k].push_back(convert(set.centers[3 * i + k]));
+    numbers.radius.push_back(convert(set.radii[i]));
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (set.periodic[k]) numbers.length[k] = convert(set.box_max[k]) - convert(set.box_min[k]);
+  }
+  return numbers;
+}
+
+template <class Number>
+Pairs all_pairs(const Numbers<Number> &numbers) {
+  Pairs pairs;
+  for (std::size_t i = 0; i < numbers.radius.size(); ++i) {
+    for (std::size_t j = i + 1; j < numbers.radius.size(); ++j) {
+      if (numbers.overlap(i, j)) pairs.emplace_back(i, j);
+    }
+  }
+  return pairs;
+}
+
+Scale scale_of(const Set &set) {
+  Scale scale;
+  for (const double x : set.centers) scale.include(x);
+  for (const double r : set.radii) scale.include(r);
+  for (int k = 0; k < 3; ++k) {
+    scale.include(set.box_min[k]);
+    scale.include(set.box_max[k]);
+  }
+  return scale;
+}
+
+}  // namespace
+
+Pairs overlapping_pairs(const Set &set, Arithmetic arithmetic) {
+  if (arithmetic == Arithmetic::kFloat128) {
+    return all_pairs(converted<__float128>(set, [](double x) { return static_cast<__float128>(x); }));
+  }
+  if (arithmetic == Arithmetic::kDouble) return all_pairs(converted<double>(set, [](double x) { return x; }));
+  const Scale scale = scale_of(set);
+  return all_pairs(converted<mpz_class>(set, [&](double x) { return scale.whole(x); }));
+}
+
+}  // namespace oracle
