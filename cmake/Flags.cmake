@@ -9,6 +9,12 @@ if(HGRID_SANITIZE)
   target_compile_options(hgrid_flags INTERFACE -fsanitize=${HGRID_SANITIZE} -fno-omit-frame-pointer -g)
   target_link_options(hgrid_flags INTERFACE -fsanitize=${HGRID_SANITIZE})
 endif()
+if(HGRID_BUILD_FUZZERS)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "HGRID_BUILD_FUZZERS needs clang, the compiler is ${CMAKE_CXX_COMPILER_ID}")
+  endif()
+  target_compile_options(hgrid_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 
 add_library(hgrid_warnings INTERFACE)
 target_compile_options(
