@@ -142,6 +142,36 @@ void ten_thousand_at_one_point(void **) {
   }));
 }
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSlowBuild = true;
+#else
+constexpr bool kSlowBuild = false;
+#endif
+
+std::int32_t count_only(void *context, const hg_pair *, std::size_t count) {
+  *static_cast<std::int64_t *>(context) += static_cast<std::int64_t>(count);
+  return 0;
+}
+
+// Counts and offsets of pairs have 64 bits.
+void more_than_2_31_pairs(void **) {
+  if (kSlowBuild) skip();
+  assert_true(holds(0, [](std::uint64_t) {
+    constexpr std::int64_t kCount = 66000, kPairs = kCount * (kCount - 1) / 2;
+    static_assert(kPairs > INT32_MAX, "too few for this test");
+    Particles particles;
+    const double center[3] = {1, 2, 3};
+    for (int i = 0; i < kCount; ++i) particles.add(center, 0.1);
+    const Grid grid = make_grid(hg_default_grid_def(), particles);
+    std::int64_t found = 0;
+    require_ok(hg_visit_pairs(grid.get(), count_only, &found), "hg_visit_pairs");
+    require(found == kPairs, std::to_string(found) + " pairs visited");
+    hg_grid_stats stats;
+    require_ok(hg_get_stats(grid.get(), &stats, sizeof stats), "hg_get_stats");
+    require(stats.pair_count == kPairs, std::to_string(stats.pair_count) + " pairs counted");
+  }));
+}
+
 // No two particles near each other: nothing to test, and memory for the particles, not for the space between.
 void sparse_cloud(void **) {
   assert_true(holds(4, [](std::uint64_t seed) {
@@ -184,7 +214,7 @@ void strided_lattices(void **) {
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(giant_over_dust),        cmocka_unit_test(giant_over_crowded_dust),
                               cmocka_unit_test(power_law_at_ratio_1e6), cmocka_unit_test(ten_thousand_at_one_point),
-                              cmocka_unit_test(sparse_cloud),           cmocka_unit_test(crowd_with_outliers),
-                              cmocka_unit_test(strided_lattices)};
+                              cmocka_unit_test(more_than_2_31_pairs),   cmocka_unit_test(sparse_cloud),
+                              cmocka_unit_test(crowd_with_outliers),    cmocka_unit_test(strided_lattices)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
