@@ -117,7 +117,7 @@ void dyadic_translation(void **) {
     const double raster = 0x1p-20;
     Particles here, there;
     double shift[3];
-    for (double &s : shift) s = raster * rng.integer(-(1 << 30), 1 << 30);
+    for (double &s : shift) s = raster * rng.integer(-(1 << 29), 1 << 29);
     for (int i = 0; i < 400; ++i) {
       double x[3], y[3];
       for (int k = 0; k < 3; ++k) {
