@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""The CSV files of hgrid_compare, read into rows."""
+
+import csv
+
+NUMBERS = {
+    "size_ratio", "particles", "pairs", "threads", "chosen", "levels", "occupancy", "predicted_cost",
+    "candidates_per_particle", "skin", "searches_per_step", "runs", "median_ns_per_particle", "min_ns_per_particle",
+    "q1_ns_per_particle", "q3_ns_per_particle", "peak_bytes_per_particle", "processors",
+}  # fmt: skip
+
+
+class Row:
+    """One contestant on one system; fields by name, numbers as float or None."""
+
+    def __init__(self, fields):
+        for name, text in fields.items():
+            setattr(self, name, (float(text) if text else None) if name in NUMBERS else text)
+
+    @property
+    def ns(self):
+        return self.median_ns_per_particle
+
+    @property
+    def spread(self):
+        return self.q1_ns_per_particle, self.q3_ns_per_particle
+
+
+def read(paths):
+    """All rows that were measured through; a file that is no CSV of hgrid_compare is an error."""
+    rows = []
+    for path in paths:
+        with open(path, encoding="utf-8", newline="") as file:
+            reader = csv.DictReader(file)
+            missing = (NUMBERS | {"sweep", "system", "contestant", "verdict"}) - set(reader.fieldnames or ())
+            if missing:
+                raise SystemExit(f"{path}: not written by hgrid_compare, no column {', '.join(sorted(missing))}")
+            rows += [Row(fields) for fields in reader]
+    return [row for row in rows if row.chosen]
+
+
+def in_order(values):
+    """The different ones, in the order of their first appearance."""
+    return list(dict.fromkeys(values))
+
+
+def system_text(row, with_ratio=True):
+    ratio = f", ratio {row.size_ratio:.0f}" if with_ratio and row.size_ratio > 1 else ""
+    count = f"{row.particles:,.0f}".replace(",", "\u202f")
+    return f"{row.system.replace('-', ' ')}{ratio}, N = {count}"
