@@ -34,9 +34,14 @@ inline std::vector<hg_pair> differences(const std::vector<hg_pair> &one, const s
   return result;
 }
 
-// Whether two particles touch within the rounding of the double predicate: then exact arithmetic may disagree with it.
-// Sum and squares carry a relative error below 8 * 2^-53; long double leaves room to judge that.
-inline bool touch_within_rounding(const app::ParticleSet &set, const hg_pair &pair) {
+// How far (d^2 - s^2) / s^2 can be from 0 where the double predicate errs: sum and squares carry a relative error below
+// 8 * 2^-53.
+inline constexpr double kDoubleRounding = 8 * std::numeric_limits<double>::epsilon();
+// HG_FLOAT takes distances below s (1 + 2^-47) at most; the square doubles that, and a little for the rounding here.
+inline constexpr double kFloatDistance = 0x1.01p-46;
+
+// Whether two particles touch within a relative distance of the squares; long double leaves room to judge that.
+inline bool touch_within(const app::ParticleSet &set, const hg_pair &pair, double relative) {
   const std::size_t a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
   const std::size_t d = static_cast<std::size_t>(set.dimension);
   long double square = 0;
@@ -45,7 +50,7 @@ inline bool touch_within_rounding(const app::ParticleSet &set, const hg_pair &pa
     square += difference * difference;
   }
   const long double sum = static_cast<long double>(set.radii[a]) + set.radii[b];
-  return std::fabs(square - sum * sum) <= 8 * std::numeric_limits<double>::epsilon() * sum * sum;
+  return std::fabs(square - sum * sum) <= relative * sum * sum;
 }
 
 }  // namespace bench

@@ -10,6 +10,10 @@ hgrid_build_dir=build
 hgrid_build_packages=(gcc g++ gfortran cmake ninja-build libcli11-dev)
 # shellcheck disable=SC2034  # the sourcing script uses the lists
 hgrid_test_packages=(binutils libcmocka-dev libgmp-dev pkg-config python3 python3-dev python3-numpy swig)
+# What hgrid_compare can compare the library with and hgrid_parts is made with (docs/benchmarks.md). Neither ./demo nor
+# ./check asks for these.
+# shellcheck disable=SC2034  # as above
+hgrid_peer_packages=(libbenchmark-dev libboost-dev libbullet-dev libcgal-dev libembree-dev liblammps-dev libnanoflann-dev)
 
 # Runs a command with its output in a log file; shows the log only if the command fails.
 # hgrid_run_logged LOG COMMAND...

@@ -1,10 +1,13 @@
 #!/bin/bash
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-# hgrid_compare on small packings: compare.sh HGRID HGRID_COMPARE.
+# hgrid_compare on small packings: compare.sh HGRID HGRID_COMPARE PYTHON BENCH_FOLDER PEER...
 set -u
 hgrid=$1
 compare=$2
+python=$3
+bench=$4
+shift 4
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
@@ -18,26 +21,70 @@ fault() {
 # contacts FILE ACCURACY: what hgrid pairs finds without the box.
 contacts() { "$hgrid" pairs "$1" --open --accuracy "$2" --count | awk '$1 == "contacts" && NF == 2 { print $2 }'; }
 
-# Lines 2 and 3 of the table are the plain searches in doubles, 4 to 6 the library in exact arithmetic. Names hold
-# commas, so columns count from the end.
-check_counts() {
-  awk -F, -v in_doubles="$(contacts set.csv double)" -v exact="$(contacts set.csv exact)" '
-    NR > 1 && ($NF != (NR < 4 ? in_doubles : exact) || $NF == 0 || $(NF - 2) <= 0) { bad = 1 }
-    END { exit bad || NR != 6 }' times.csv
+# field NAME FILE: the values of a column, without quotes. No text before the last columns holds a comma.
+field() {
+  awk -F, -v name="$1" 'NR == 1 { for (k = 1; k <= NF; ++k) if ($k == name) c = k; if (!c) exit 1; next }
+    { gsub(/"/, "", $c); print $c }' "$2"
 }
+
+# Every row found the pairs of `hgrid pairs`: the library in its accuracy, all others as doubles decide.
+check_rows() {
+  paste -d, <(field variant times.csv) <(field contestant times.csv) <(field pairs times.csv) \
+    <(field verdict times.csv) <(field median_ns_per_particle times.csv) |
+    awk -F, -v in_doubles="$(contacts "$1" double)" -v exact="$(contacts "$1" exact)" '
+      { expected = $2 == "library" && $1 !~ /double/ ? exact : in_doubles; if ($1 ~ /float/) expected = $3 }
+      $3 != expected || $3 == 0 || $4 != "same pairs" || $5 <= 0 { bad = 1; print "bad row: " $0 }
+      END { exit bad || NR < 4 }'
+}
+
+head_of_csv="sweep,system,size_ratio,particles,pairs,contestant,variant,isa,threads,chosen,levels,occupancy,\
+predicted_cost,candidates_per_particle,skin,searches_per_step,runs,median_ns_per_particle,min_ns_per_particle,\
+q1_ns_per_particle,q3_ns_per_particle,peak_bytes_per_particle,verdict,machine,processors,compiler,commit"
+
+# Everything that this build has, on one small packing.
+"$hgrid" pack --law uniform-volume --ratio 8 --count 3000 --sweeps 10 --output polydisperse.csv >/dev/null || fault "packing"
+"$compare" polydisperse.csv --repeats 1 --csv times.csv >out.txt 2>&1 || fault "all contestants: $(cat out.txt)"
+[ "$(head -n 1 times.csv)" = "$head_of_csv" ] || fault "head of the CSV: $(head -n 1 times.csv)"
+check_rows polydisperse.csv || fault "all contestants: $(cat out.txt)"
+for peer in library classical plain "$@"; do
+  field contestant times.csv | grep -q "^$peer" || fault "$peer does not take part"
+done
+for variant in grid-exact grid-double grid-float id-exact id-double id-float; do
+  [ "$(field variant times.csv | grep -cx "$variant")" -ge 2 ] || fault "$variant does not run with 1 and 2 threads"
+done
 
 for law in mono two-sizes uniform-size uniform-volume; do
   for dimension in 2 3; do
     "$hgrid" pack --law "$law" --count 3000 --dimension "$dimension" --sweeps 10 --output set.csv >/dev/null ||
       fault "packing $law"
-    "$compare" set.csv --repeats 2 --csv times.csv >out.txt 2>&1 || fault "$law in $dimension D: $(cat out.txt)"
-    grep -q '^all searches find the same pairs' out.txt || fault "$law in $dimension D: $(cat out.txt)"
-    check_counts || fault "$law in $dimension D: the counts differ from those of hgrid pairs: $(cat times.csv)"
+    "$compare" set.csv --repeats 1 --csv times.csv --only 'classical/*' 'plain/*' 'library/grid*/best/1' \
+      >out.txt 2>&1 || fault "$law in $dimension D: $(cat out.txt)"
+    grep -q '^all searches find the pairs that they must find$' out.txt || fault "$law in $dimension D: $(cat out.txt)"
+    check_rows set.csv || fault "$law in $dimension D: the counts differ from those of hgrid pairs: $(cat out.txt)"
   done
 done
 
+# The sweeps, on systems made on the way, and what is drawn and written from them.
+for sweep in size ratio levels threads skin; do
+  "$compare" --sweep "$sweep" mono:1:600 uniform-volume:4:1000 --repeats 1 --csv "$sweep.csv" >out.txt 2>&1 ||
+    fault "sweep $sweep: $(cat out.txt)"
+  [ "$(field verdict "$sweep.csv" | sort -u)" = "same pairs" ] || fault "sweep $sweep: $(cat out.txt)"
+  [ "$(field sweep "$sweep.csv" | sort -u)" = "$sweep" ] || fault "sweep $sweep is not named in its rows"
+done
+"$python" "$bench/plot/draw.py" --output pictures size.csv ratio.csv levels.csv threads.csv skin.csv >out.txt 2>&1 || fault "draw.py: $(cat out.txt)"
+for picture in size ratio levels threads skin; do
+  "$python" -c 'import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])' "pictures/$picture.svg" ||
+    fault "$picture.svg is no XML"
+done
+"$python" "$bench/plot/table.py" times.csv >table.md 2>out.txt || fault "table.py: $(cat out.txt)"
+grep -q '^| set, ' table.md || fault "table.py: $(cat table.md)"
+
 "$compare" no/such.csv >out.txt 2>&1 && fault "a missing file is no failure"
 grep -q 'no/such.csv' out.txt || fault "the missing file is not named: $(cat out.txt)"
+"$compare" mono:1:x >out.txt 2>&1 && fault "a count that is no number is no failure"
+grep -q "'x' is no number" out.txt || fault "the number is not named: $(cat out.txt)"
+"$compare" polydisperse.csv --only 'nobody/*' >out.txt 2>&1 && fault "measuring nobody is no failure"
+HGRID_ISA=none "$compare" polydisperse.csv --repeats 1 >out.txt 2>&1 && fault "an unknown instruction set is no failure"
 
 [ "$failures" = 0 ] || exit 1
 echo "hgrid_compare agrees on all laws"

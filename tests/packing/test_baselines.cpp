@@ -173,8 +173,8 @@ bool differences_are_found() {
   set.radii = {1, 1, 1};
   const std::vector<hg_pair> twice = {{0, 1}, {0, 1}};
   return bench::differences(one, other).size() == 2 && bench::differences(one, one).empty() &&
-         bench::differences(twice, {{0, 1}}).size() == 1 && bench::touch_within_rounding(set, {0, 1}) &&
-         !bench::touch_within_rounding(set, {0, 2});
+         bench::differences(twice, {{0, 1}}).size() == 1 && bench::touch_within(set, {0, 1}, bench::kDoubleRounding) &&
+         !bench::touch_within(set, {0, 2}, bench::kDoubleRounding);
 }
 
 void pair_sets(void **) {

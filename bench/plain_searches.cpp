@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The classical linked cells and the plain hierarchical grid, timed like all others.
+#include "plain_searches.hpp"
+
+#include "hierarchical_grid.hpp"
+#include "library_searches.hpp"
+#include "linked_cell.hpp"
+#include "measure/search_timer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace bench {
+namespace {
+
+struct State {
+  std::vector<hg_pair> pairs;
+  std::int64_t tested = 0;
+  Details details;
+};
+
+// `find` takes the number of tested candidates and returns the pairs.
+template <class Find>
+Search plain_search(const app::ParticleSet &set, const Details &details, Find find) {
+  auto state = std::make_shared<State>();
+  state->details = details;
+  Search search;
+  search.run = [state, find](PairView &pairs) {
+    const double seconds = measure::seconds_of([&] { state->pairs = find(&state->tested); });
+    pairs = {state->pairs.data(), state->pairs.size()};
+    return seconds;
+  };
+  search.details = [state, count = set.count()] {
+    state->details.candidates = static_cast<double>(state->tested) / static_cast<double>(count);
+    return state->details;
+  };
+  return search;
+}
+
+Particles view(const app::ParticleSet &set) { return {set.count(), set.centers.data(), set.radii.data()}; }
+
+// m = max over levels of N_h s_h^d / V (section 3 of the paper), V the smallest box that holds all particles.
+double largest_occupancy(const app::ParticleSet &set, const std::vector<double> &sizes) {
+  const std::size_t d = static_cast<std::size_t>(set.dimension);
+  double volume = 1;
+  for (std::size_t k = 0; k < d; ++k) {
+    double low = set.centers[k], high = low;
+    for (std::size_t i = 0; i < set.count(); ++i) {
+      low = std::min(low, set.centers[i * d + k] - set.radii[i]);
+      high = std::max(high, set.centers[i * d + k] + set.radii[i]);
+    }
+    volume *= high - low;
+  }
+  std::vector<double> held(sizes.size(), 0.0);
+  for (const double r : set.radii) {
+    const auto level = std::lower_bound(sizes.begin(), sizes.end(), 2 * r);
+    if (level != sizes.end()) ++held[static_cast<std::size_t>(level - sizes.begin())];
+  }
+  double largest = 0;
+  for (std::size_t h = 0; h < sizes.size(); ++h) {
+    largest = std::max(largest, held[h] * std::pow(sizes[h], set.dimension) / volume);
+  }
+  return largest;
+}
+
+}  // namespace
+
+Contestant linked_cell_search() {
+  Contestant contestant;
+  contestant.name = kClassical;
+  contestant.prepare = [](const app::ParticleSet &set) {
+    Details details;
+    details.levels = 1;
+    return plain_search(set, details,
+                        [&set](std::int64_t *tested) { return linked_cell_pairs(set.dimension, view(set), tested); });
+  };
+  return contestant;
+}
+
+Contestant hierarchical_grid_search(int level_count) {
+  Contestant contestant;
+  contestant.name = kPlain;
+  if (level_count > 0) contestant.variant = "L" + std::to_string(level_count);
+  contestant.prepare = [level_count](const app::ParticleSet &set) {
+    const std::vector<double> sizes = cell_sizes_of_paper(set, level_count);
+    Details details;
+    details.levels = static_cast<double>(sizes.size());
+    details.occupancy = largest_occupancy(set, sizes);
+    return plain_search(set, details, [&set, sizes](std::int64_t *tested) {
+      return hierarchical_grid_pairs(set.dimension, view(set), sizes, tested);
+    });
+  };
+  return contestant;
+}
+
+}  // namespace bench

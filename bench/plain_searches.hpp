@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The plain searches of this folder as contestants.
+#ifndef BENCH_PLAIN_SEARCHES_HPP
+#define BENCH_PLAIN_SEARCHES_HPP
+
+#include "search.hpp"
+
+namespace bench {
+
+inline constexpr const char *kClassical = "classical";
+inline constexpr const char *kPlain = "plain";
+
+Contestant linked_cell_search();
+
+// With the levels of the paper's rule, at most `level_count` of them (0: as the rule chooses). Choosing them is not
+// part of the time.
+Contestant hierarchical_grid_search(int level_count);
+
+}  // namespace bench
+
+#endif

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The conversation between the measuring process and the contestants' processes.
+#include "rounds.hpp"
+
+#include "child.hpp"
+#include "pair_sets.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <thread>
+
+namespace bench {
+namespace {
+
+enum class Order : char { kRun, kSendPairs, kEnd };
+
+struct Report {
+  double seconds = 0;
+  std::size_t pairs = 0;
+  double peak_bytes = 0;
+  Details details;
+};
+
+double peak_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+// What a contestant's process does until it is told to end.
+void serve(const Contestant &contestant, const app::ParticleSet &particles, Channel &channel) {
+  if (!contestant.isa.empty()) setenv("HGRID_ISA", contestant.isa.c_str(), 1);
+  const double bytes_before = peak_bytes();
+  const Search search = contestant.prepare(particles);
+  channel.send(static_cast<bool>(search.run));
+  if (!search.run) return;
+  PairView pairs;
+  for (;;) {
+    switch (channel.receive<Order>()) {
+      case Order::kRun: {
+        Report report;
+        report.seconds = search.run(pairs);
+        report.pairs = pairs.count;
+        report.peak_bytes = peak_bytes() - bytes_before;
+        if (search.details) report.details = search.details();
+        channel.send(report);
+        break;
+      }
+      case Order::kSendPairs:
+        channel.send_array(sorted(pairs.data, pairs.count));
+        break;
+      case Order::kEnd:
+        return;
+    }
+  }
+}
+
+// Threads that have just met at the end of a parallel region spin for some milliseconds before they sleep; the next
+// contestant shall not pay for that.
+void let_threads_settle(const Contestant &contestant) {
+  if (contestant.threads != 1) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+}
+
+class Runner {
+ public:
+  Runner(const Contestant &contestant, const app::ParticleSet &particles, const Effort &effort) : effort_(&effort) {
+    result_.contestant = contestant;
+    child_ = std::make_unique<Child>(contestant.name + " " + contestant.variant,
+                                     [&](Channel &channel) { serve(contestant, particles, channel); });
+    child_->channel().set_patience(effort.patience);
+  }
+
+  // Runs and checks the pairs. False if the contestant has nothing to do with these particles.
+  bool run_first(const Reference &reference) {
+    bool suited = true;
+    guarded([&] {
+      suited = child_->channel().receive<bool>();
+      if (!suited) return;
+      const Report report = run();
+      first_ = report.seconds;
+      result_.peak_bytes = report.peak_bytes;
+      child_->channel().send(Order::kSendPairs);
+      result_.fault = reference.fault(result_.contestant.accuracy, child_->channel().receive_array<hg_pair>());
+    });
+    if (first_ >= effort_->seconds) {
+      result_.seconds.push_back(first_);
+      end();
+    } else if (suited && result_.contestant.tuned) {
+      run_again();  // the choice between variants shall not hang on how the first run got its memory
+    }
+    return suited;
+  }
+  void run_again() {
+    if (!child_ || spent_ >= effort_->seconds) return;
+    guarded([&] {
+      result_.seconds.push_back(run().seconds);
+      spent_ += result_.seconds.back();
+    });
+  }
+  // Ends the process; what was measured stays.
+  void end() {
+    if (!child_) return;
+    child_->channel().send(Order::kEnd);
+    child_->wait();
+    child_.reset();
+  }
+  void lose() {
+    end();
+    result_.chosen = false;
+  }
+
+  bool good() const { return result_.fault.empty(); }
+  double fastest() const { return *std::min_element(result_.seconds.begin(), result_.seconds.end()); }
+  const Result &result() const { return result_; }
+
+ private:
+  Report run() {
+    child_->channel().send(Order::kRun);
+    const auto report = child_->channel().receive<Report>();
+    result_.details = report.details;
+    result_.pairs = report.pairs;
+    let_threads_settle(result_.contestant);
+    return report;
+  }
+  template <class Talk>
+  void guarded(Talk talk) {
+    try {
+      talk();
+    } catch (const PatienceEnded &ended) {
+      result_.gave_up = true;
+      result_.fault = ended.what();
+      child_.reset();
+    } catch (const std::exception &error) {
+      result_.fault = error.what();
+      child_.reset();
+    }
+  }
+
+  const Effort *effort_;
+  Result result_;
+  std::unique_ptr<Child> child_;
+  double first_ = 0, spent_ = 0;
+};
+
+using Runners = std::vector<std::unique_ptr<Runner>>;
+
+// Of the variants of one name only the fastest goes on.
+void drop_slower_variants(Runners &runners) {
+  for (const auto &runner : runners) {
+    const Contestant &own = runner->result().contestant;
+    if (!own.tuned || !runner->good() || !runner->result().chosen) continue;
+    const bool beaten = std::any_of(runners.begin(), runners.end(), [&](const auto &other) {
+      return other->result().contestant.name == own.name && other->result().contestant.tuned && other->good() &&
+             other->result().chosen && other->fastest() < runner->fastest();
+    });
+    if (beaten) runner->lose();
+  }
+}
+
+}  // namespace
+
+std::vector<Result> run_rounds(const app::ParticleSet &particles, const std::vector<Contestant> &contestants,
+                               const Effort &effort, const Reference &reference) {
+  Runners runners;
+  for (const Contestant &contestant : contestants) {
+    runners.push_back(std::make_unique<Runner>(contestant, particles, effort));
+    if (!runners.back()->run_first(reference)) runners.pop_back();
+    drop_slower_variants(runners);  // at once: their memory may be needed
+  }
+  for (int round = 0; round < effort.repeats; ++round) {
+    // There and back, so that nobody always follows the same neighbour.
+    for (const auto &runner : runners) {
+      if (static_cast<int>(runner->result().seconds.size()) <= round) runner->run_again();
+    }
+    std::reverse(runners.begin(), runners.end());
+  }
+  if (effort.repeats % 2 == 1) std::reverse(runners.begin(), runners.end());
+  std::vector<Result> results;
+  for (const auto &runner : runners) {
+    runner->end();
+    results.push_back(runner->result());
+  }
+  return results;
+}
+
+}  // namespace bench
