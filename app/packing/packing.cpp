@@ -6,7 +6,7 @@
 
 #include "error.hpp"
 #include "packing/placement.hpp"
-#include "packing/random.hpp"
+#include "sim/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +74,7 @@ void check_request(const Request &request) {
 
 Packing make_packing(const Request &request, const SweepObserver &observe) {
   check_request(request);
-  Random random(request.seed);
+  hgrid_sim::Random random(request.seed);
   const double u = request.random_offset ? random.uniform() : request.offset;
   std::vector<double> radii = sample_radii(request.law, request.count, u);
   Container container;
@@ -85,7 +85,7 @@ Packing make_packing(const Request &request, const SweepObserver &observe) {
 
   Packing packing;
   packing.particles = container.empty_set();
-  shuffle(radii, random);
+  hgrid_sim::shuffle(radii, random);
   packing.particles.radii = std::move(radii);
   place_at_random(container, random, packing.particles);
   packing.overlaps = relax(container, request.sweeps, observe, packing.particles);

@@ -22,7 +22,7 @@ constexpr double kClassRatio = 2.5;
 constexpr int kMostThrows = 10000;
 constexpr int kClassSweeps = 20;
 
-void throw_center(const Container &container, Random &random, double radius, double *center) {
+void throw_center(const Container &container, hgrid_sim::Random &random, double radius, double *center) {
   for (int k = 0; k < container.dimension; ++k) {
     const bool periodic = container.periodic[static_cast<std::size_t>(k)];
     const double low = periodic ? 0 : radius;
@@ -39,7 +39,7 @@ bool inside_a_larger_one(app::Grid &grid, const double *center) {
 }
 
 // The members' centres are thrown and they join `placed`, whose centres `larger` holds.
-void place_class(const Container &container, Random &random, app::Grid &larger, const std::vector<double> &radii,
+void place_class(const Container &container, hgrid_sim::Random &random, app::Grid &larger, const std::vector<double> &radii,
                  app::ParticleSet &placed) {
   const std::size_t d = static_cast<std::size_t>(container.dimension);
   for (const double radius : radii) {
@@ -56,7 +56,7 @@ void place_class(const Container &container, Random &random, app::Grid &larger, 
 
 }  // namespace
 
-void place_at_random(const Container &container, Random &random, app::ParticleSet &set) {
+void place_at_random(const Container &container, hgrid_sim::Random &random, app::ParticleSet &set) {
   set.centers.assign(set.count() * static_cast<std::size_t>(container.dimension), 0.0);
   std::vector<std::size_t> order(set.count());
   std::iota(order.begin(), order.end(), std::size_t{0});

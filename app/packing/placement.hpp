@@ -6,13 +6,13 @@
 #define APP_PACKING_PLACEMENT_HPP
 
 #include "packing/container.hpp"
-#include "packing/random.hpp"
+#include "sim/random.hpp"
 
 namespace packing {
 
 // Throws the particles of `set` (radii given, box as `container`) at random, large ones first. A centre that falls into
 // a much larger particle is thrown again: relaxation could not bring it out in a few sweeps. All other overlaps stay.
-void place_at_random(const Container &container, Random &random, app::ParticleSet &set);
+void place_at_random(const Container &container, hgrid_sim::Random &random, app::ParticleSet &set);
 
 }  // namespace packing
 

@@ -4,6 +4,8 @@
 // Radii from a size law and the box edge from a density, by arithmetic that gives the same bits on every machine.
 #include "packing/size_law.hpp"
 
+#include "sim/cube_root.hpp"
+
 #include <cmath>
 #include <stdexcept>
 
@@ -16,17 +18,6 @@ double power(double base, int exponent) {
   double result = 1;
   for (int k = 0; k < exponent; ++k) result *= base;
   return result;
-}
-
-// x^(1/3) by Newton's iteration from above. std::cbrt may differ in its last bit between C libraries, and with it
-// every coordinate of a packing.
-double cube_root(double x) {
-  double root = x > 1 ? x : 1;
-  for (;;) {
-    const double next = root - (root - x / (root * root)) / 3;
-    if (!(next < root)) return root;
-    root = next;
-  }
 }
 
 }  // namespace
@@ -78,7 +69,7 @@ double box_edge(const std::vector<double> &radii, double density, int dimension)
   double sum = 0;
   for (const double r : radii) sum += power(r, dimension);
   if (dimension == 2) return std::sqrt(kPi * sum / density);
-  return cube_root(4 * kPi / 3 * sum / density);
+  return hgrid_sim::cube_root(4 * kPi / 3 * sum / density);
 }
 
 }  // namespace packing

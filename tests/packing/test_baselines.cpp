@@ -7,7 +7,7 @@
 #include "hierarchical_grid.hpp"
 #include "linked_cell.hpp"
 #include "packing/packing.hpp"
-#include "packing/random.hpp"
+#include "sim/random.hpp"
 #include "pair_sets.hpp"
 
 #include <hgrid/hgrid.h>
@@ -112,7 +112,7 @@ void searches_agree_on_disks(void **) {
 
 // A sparse cloud needs far more cells than particles, one coordinate may be the same for all, and cells meet at faces.
 bool hard_places_agree() {
-  packing::Random random(kSeed);
+  hgrid_sim::Random random(kSeed);
   app::ParticleSet set;
   for (int k = 0; k < 500; ++k) {
     const double far = k % 2 == 0 ? 0 : 1e7;

@@ -3,7 +3,7 @@
 
 // The generator against published output, and its mappings against what they must fulfil.
 #include "../app/cmocka_cpp.hpp"
-#include "packing/random.hpp"
+#include "sim/random.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -14,7 +14,7 @@ constexpr std::uint64_t kSeed = 7;
 
 // The first outputs of xoshiro256++ 1.0 from the state 1, 2, 3, 4.
 void generator_gives_the_published_numbers(void **) {
-  packing::Random random(packing::Random::State{1, 2, 3, 4});
+  hgrid_sim::Random random(hgrid_sim::Random::State{1, 2, 3, 4});
   for (const std::uint64_t expected : {41943041ull, 58720359ull, 3588806011781223ull, 3591011842654386ull,
                                        9228616714210784205ull, 9973669472204895162ull}) {
     assert_true(random.next() == expected);
@@ -22,14 +22,14 @@ void generator_gives_the_published_numbers(void **) {
 }
 
 void seeds_differ_and_repeat(void **) {
-  packing::Random one(kSeed), same(kSeed), other(kSeed + 1);
+  hgrid_sim::Random one(kSeed), same(kSeed), other(kSeed + 1);
   const std::uint64_t number = one.next();
   assert_true(number == same.next());
   assert_true(number != other.next());
 }
 
 void uniform_numbers_fill_the_interval(void **) {
-  packing::Random random(kSeed);
+  hgrid_sim::Random random(kSeed);
   constexpr int kCount = 100000;
   double sum = 0, lowest = 1, highest = 0;
   for (int k = 0; k < kCount; ++k) {
@@ -45,7 +45,7 @@ void uniform_numbers_fill_the_interval(void **) {
 }
 
 void small_bounds_are_even(void **) {
-  packing::Random random(kSeed);
+  hgrid_sim::Random random(kSeed);
   int counts[3] = {0, 0, 0};
   for (int k = 0; k < 30000; ++k) ++counts[random.below(3)];
   // Expected 10000 each, standard deviation 82.
@@ -54,10 +54,10 @@ void small_bounds_are_even(void **) {
 }
 
 bool shuffle_keeps_all_items() {
-  packing::Random random(kSeed);
+  hgrid_sim::Random random(kSeed);
   std::vector<int> items(1000);
   std::iota(items.begin(), items.end(), 0);
-  packing::shuffle(items, random);
+  hgrid_sim::shuffle(items, random);
   const bool moved = !std::is_sorted(items.begin(), items.end());
   std::sort(items.begin(), items.end());
   for (int k = 0; k < 1000; ++k) {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The random numbers of packings: xoshiro256++ and mappings of our own, so that a seed means the same bytes everywhere
-// (the distributions of the standard library differ between implementations).
-#ifndef APP_PACKING_RANDOM_HPP
-#define APP_PACKING_RANDOM_HPP
+// The random numbers of packings and simulations: xoshiro256++ and mappings of our own, so that a seed means the same
+// bytes everywhere (the distributions of the standard library differ between implementations).
+#ifndef HGRID_SIM_RANDOM_HPP
+#define HGRID_SIM_RANDOM_HPP
 
 #include <array>
 #include <cstddef>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace packing {
+namespace hgrid_sim {
 
 // xoshiro256++ 1.0 of Blackman and Vigna, its state filled from one seed by splitmix64 as they advise.
 class Random {
@@ -38,6 +38,14 @@ class Random {
 
   // Uniform in [0, 1), a multiple of 2^-53.
   double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
+
+  // Mean 0 and variance 1, nearly Gaussian: the sum of twelve uniform numbers less 6. No logarithm or cosine, whose last
+  // bits differ between C libraries.
+  double normal() {
+    double sum = -6;
+    for (int k = 0; k < 12; ++k) sum += uniform();
+    return sum;
+  }
 
   // Uniform in 0 .. bound - 1, bound > 0. Numbers below 2^64 mod bound are drawn again, which leaves no bias.
   std::uint64_t below(std::uint64_t bound) {
@@ -70,6 +78,6 @@ void shuffle(std::vector<T> &items, Random &random) {
   }
 }
 
-}  // namespace packing
+}  // namespace hgrid_sim
 
 #endif

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The event loop: prediction, collisions, renewal of hulls, and the epochs in which time starts anew.
+#include "sim/event/engine.hpp"
+
+#include "sim/error.hpp"
+#include "sim/event/collision.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace hgrid_sim::event {
+namespace {
+
+constexpr std::uint64_t kEventsPerPoll = 4096;
+// Time stands still if so many collisions per particle pass without this share of the epoch.
+constexpr std::uint64_t kStallCollisions = 100;
+constexpr double kStallShare = 1e-9;
+constexpr std::size_t kParticlesPerStray = 256;
+constexpr std::size_t kLeastStrays = 16;
+
+void check_state(const Box &box, const State &state) {
+  const std::size_t count = state.count();
+  if (state.centers.size() != count || state.velocities.size() != count || state.masses.size() != count) {
+    throw Error("centres, velocities, radii and masses are not of one number");
+  }
+  if (!(state.scale >= 0) || !std::isfinite(state.scale)) throw Error("scale " + std::to_string(state.scale));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string who = "particle " + std::to_string(i) + ": ";
+    if (!(state.radii[i] > 0) || !std::isfinite(state.radii[i])) {
+      throw Error(who + "radius " + std::to_string(state.radii[i]));
+    }
+    if (!(state.masses[i] > 0) || !std::isfinite(state.masses[i])) {
+      throw Error(who + "mass " + std::to_string(state.masses[i]));
+    }
+    for (int k = 0; k < 3; ++k) {
+      const double x = state.centers[i][k], v = state.velocities[i][k];
+      if (!std::isfinite(x) || !std::isfinite(v)) {
+        throw Error(who + "centre or velocity is not finite on axis " + std::to_string(k));
+      }
+      if (k >= box.dimension() ? x != 0 || v != 0 : x < 0 || x > box.edge(k)) {
+        throw Error(who + "lies at " + std::to_string(x) + " on axis " + std::to_string(k) + ", outside the box");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+double State::kinetic_energy() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < count(); ++i) sum += masses[i] * square(velocities[i]);
+  return sum / 2;
+}
+
+Engine::Engine(const Box &box, State state)
+    : box_(box),
+      state_(std::move(state)),
+      particles_(state_.count()),
+      counts_(state_.count(), 0),
+      events_(state_.count()),
+      queue_(state_.count()),
+      hulls_(box, state_.count()),
+      skins_(box, state_.count()),
+      most_strays_(std::max(kLeastStrays, state_.count() / kParticlesPerStray)) {
+  check_state(box_, state_);
+  for (Vector &center : state_.centers) box_.wrap(center);
+}
+
+void Engine::scale_velocities(double factor) {
+  for (Vector &velocity : state_.velocities) velocity *= factor;
+}
+
+EpochEnd Engine::run(const Epoch &epoch, const std::function<bool()> &poll) {
+  if (state_.count() == 0) return EpochEnd::kTime;
+  const Tally before = tally_;
+  begin(epoch);
+  const EpochEnd end = loop(epoch, poll);
+  EpochCounts counts;
+  counts.collisions = tally_.collisions - before.collisions;
+  counts.renewals = tally_.renewals - before.renewals;
+  counts.partners = static_cast<double>(hulls_.partner_sum()) / static_cast<double>(state_.count());
+  counts.outer_partners = static_cast<double>(hulls_.outer_sum()) / static_cast<double>(state_.count());
+  counts.ended_by_hulls = end == EpochEnd::kHulls;
+  counts.few_strays = hulls_.stray_count() < most_strays_ / 4;
+  skins_.learn(counts, state_.count());
+  synchronise();
+  return end;
+}
+
+void Engine::begin(const Epoch &epoch) {
+  growth_ = epoch.growth;
+  now_ = 0;
+  end_ = epoch.longest;
+  kinetic_ = state_.kinetic_energy();
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    particles_[i] = {state_.centers[i], 0, state_.velocities[i], state_.radii[i]};
+  }
+  rebuild_hulls();
+  std::vector<double> times(particles_.size());
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    const auto particle = static_cast<std::int32_t>(i);
+    events_[i] = box_.any_periodic() ? next_event<true>(particle) : next_event<false>(particle);
+    times[i] = events_[i].time;
+  }
+  queue_.fill(times);
+}
+
+void Engine::rebuild_hulls() {
+  const std::size_t count = particles_.size();
+  std::vector<Sphere> spheres(count);
+  std::vector<double> inner(count), outer(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    spheres[i] = {state_.centers[i], state_.radii[i] * state_.scale};
+    const double growth = growth_ * state_.radii[i];
+    inner[i] = skins_.inner(spheres[i].radius, growth);
+    outer[i] = skins_.outer(spheres[i].radius, growth);
+  }
+  hulls_.rebuild(spheres, inner, outer);
+  ++tally_.rebuilds;
+}
+
+EpochEnd Engine::loop(const Epoch &epoch, const std::function<bool()> &poll) {
+  const std::uint64_t most_collisions = tally_.collisions + epoch.most_collisions;
+  const std::uint64_t stall = kStallCollisions * static_cast<std::uint64_t>(particles_.size());
+  std::uint64_t next_stall_check = tally_.collisions + stall, steps = 0;
+  double stall_time = 0;
+  for (;;) {
+    if (queue_.first_time() >= epoch.longest) {
+      now_ = epoch.longest;
+      return EpochEnd::kTime;
+    }
+    now_ = queue_.first_time();
+    process(queue_.first());
+    if (tally_.collisions >= most_collisions) return EpochEnd::kCollisions;
+    if (hulls_.stray_count() > most_strays_) return EpochEnd::kHulls;
+    if (tally_.collisions >= next_stall_check) {
+      if (now_ - stall_time < kStallShare * epoch.longest) return EpochEnd::kStalled;
+      stall_time = now_;
+      next_stall_check = tally_.collisions + stall;
+    }
+    if (++steps % kEventsPerPoll != 0) continue;
+    if (kinetic_ > epoch.highest_energy) return EpochEnd::kEnergy;
+    if (poll && !poll()) return EpochEnd::kStopped;
+  }
+}
+
+void Engine::synchronise() {
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    advance(particles_[i]);
+    state_.centers[i] = particles_[i].center;
+    state_.velocities[i] = particles_[i].velocity;
+  }
+  state_.scale = scale();
+  tally_.time += now_;
+  now_ = 0;
+}
+
+void Engine::advance(Particle &particle) const {
+  particle.center += particle.velocity * (now_ - particle.time);
+  box_.wrap(particle.center);
+  particle.time = now_;
+}
+
+void Engine::process(std::int32_t i) {
+  const Event &event = events_[index(i)];
+  if (event.partner >= 0) {
+    const std::int32_t j = event.partner;
+    if (counts_[index(j)] == event.partner_count) return collide(i, j);
+    ++tally_.stale;
+    return predict(i);
+  }
+  if (event.partner == kExit) return renew_hull(i);
+  hit_wall(i, kFirstWall - event.partner);
+}
+
+void Engine::predict(std::int32_t i) {
+  events_[index(i)] = box_.any_periodic() ? next_event<true>(i) : next_event<false>(i);
+  queue_.set(i, events_[index(i)].time);
+}
+
+template <bool kPeriodic>
+Engine::Event Engine::next_event(std::int32_t i) {
+  const Particle &particle = particles_[index(i)];
+  const double now_scale = scale();
+  const Vector center = particle.center + particle.velocity * (now_ - particle.time);
+  const Sphere &hull = hulls_.hull(i);
+  const Vector from_hull = kPeriodic ? box_.nearest(center - hull.center) : Vector(center - hull.center);
+  std::int32_t partner = kExit;
+  double tau = exit_time(from_hull, particle.velocity, hull.radius - now_scale * particle.radius, growth_ * particle.radius);
+  meet_walls(particle, center, tau, partner);
+  const Row row = hulls_.partners(i);
+  for (const std::int32_t j : row) {
+    const Particle &other = particles_[index(j)];
+    Vector x = other.center + other.velocity * (now_ - other.time) - center;
+    if constexpr (kPeriodic) x = box_.nearest(x);
+    const Vector v = other.velocity - particle.velocity;
+    const double radii = particle.radius + other.radius;
+    const double meeting = meeting_time(x, v, now_scale * radii, growth_ * radii, tau);
+    if (meeting < tau) {
+      tau = meeting;
+      partner = j;
+    }
+  }
+  tally_.predictions += row.size();
+  return {now_ + tau, partner, partner >= 0 ? counts_[index(partner)] : 0};
+}
+
+void Engine::meet_walls(const Particle &particle, const Vector &center, double &tau, std::int32_t &partner) const {
+  const double radius = scale() * particle.radius, growth = growth_ * particle.radius;
+  for (int k = 0; k < box_.dimension(); ++k) {
+    if (box_.is_periodic(k)) continue;
+    const double lower = wall_time(center[k] - radius, -particle.velocity[k], growth);
+    const double upper = wall_time(box_.edge(k) - center[k] - radius, particle.velocity[k], growth);
+    if (lower < tau) tau = lower, partner = kFirstWall - 2 * k;
+    if (upper < tau) tau = upper, partner = kFirstWall - 2 * k - 1;
+  }
+}
+
+void Engine::collide(std::int32_t i, std::int32_t j) {
+  Particle &a = particles_[index(i)], &b = particles_[index(j)];
+  advance(a);
+  advance(b);
+  Vector normal = box_.nearest(b.center - a.center);
+  const double distance = std::sqrt(square(normal));
+  if (distance > 0) {
+    normal /= distance;
+  } else {
+    normal = i < j ? Vector::UnitX() : Vector(-Vector::UnitX());  // points at one place part along x
+  }
+  const double v_n = dot(normal, b.velocity - a.velocity), growth = growth_ * (a.radius + b.radius);
+  const double m_a = state_.masses[index(i)], m_b = state_.masses[index(j)], mu = m_a * m_b / (m_a + m_b);
+  const double impulse = pair_impulse(mu, v_n, growth);
+  a.velocity -= impulse / m_a * normal;
+  b.velocity += impulse / m_b * normal;
+  const double gain = impulse * (v_n + impulse / (2 * mu));
+  kinetic_ += gain;
+  tally_.energy_gain += gain;
+  tally_.virial += impulse * distance;
+  ++tally_.collisions;
+  ++counts_[index(i)];
+  ++counts_[index(j)];
+  predict(i);
+  predict(j);
+}
+
+void Engine::hit_wall(std::int32_t i, int wall) {
+  Particle &particle = particles_[index(i)];
+  advance(particle);
+  const int axis = wall / 2;
+  const double inward = wall % 2 == 0 ? 1 : -1, mass = state_.masses[index(i)];
+  const double before = inward * particle.velocity[axis];
+  const double after = wall_rebound(before, growth_ * particle.radius);
+  particle.velocity[axis] = inward * after;
+  const double gain = mass * (after * after - before * before) / 2;
+  kinetic_ += gain;
+  tally_.energy_gain += gain;
+  tally_.wall_impulse += mass * (after - before);
+  ++tally_.wall_hits;
+  ++counts_[index(i)];
+  predict(i);
+}
+
+void Engine::renew_hull(std::int32_t i) {
+  Particle &particle = particles_[index(i)];
+  advance(particle);
+  const double radius = scale() * particle.radius;
+  hulls_.renew(i, {particle.center, radius}, skins_.inner(radius, growth_ * particle.radius));
+  ++tally_.renewals;
+  predict(i);
+}
+
+}  // namespace hgrid_sim::event

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The rules by which the skins of hulls follow density and sizes.
+#include "sim/event/skins.hpp"
+
+#include "sim/cube_root.hpp"
+#include "sim/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace hgrid_sim::event {
+namespace {
+
+// Skins to begin with, in mean distances of particles.
+constexpr double kFirstInner = 0.45, kFirstOuter = 1;
+// Wanted renewals per collision, and the lengths of lists that are worth it.
+constexpr double kFewRenewals = 0.1, kManyRenewals = 0.25;
+constexpr double kLongList = 30, kTooLongList = 45;
+constexpr double kLongOuterList = 120;
+// An epoch should last this many collisions per particle before hulls end it.
+constexpr double kShortEpoch = 4;
+constexpr double kStep = 1.15;
+constexpr double kLeastRatio = 1.5;  // of outer to inner skin
+constexpr double kLeastRoom = 1e-3;  // skin over radius below which hulls would be renewed without end
+
+}  // namespace
+
+Skins::Skins(const Box &box, std::size_t count) : largest_hull_(std::numeric_limits<double>::infinity()) {
+  const double volume = box.volume() / static_cast<double>(std::max<std::size_t>(count, 1));
+  const double distance = box.dimension() == 2 ? std::sqrt(volume) : cube_root(volume);
+  inner_ = kFirstInner * distance;
+  outer_ = kFirstOuter * distance;
+  for (int k = 0; k < box.dimension(); ++k) {
+    // The library asks for twice the largest reach, the sum of two hulls; a little less for its rounding.
+    if (box.is_periodic(k)) largest_hull_ = std::min(largest_hull_, box.edge(k) / 4 * (1 - 1e-9));
+  }
+}
+
+double Skins::capped(double radius, double skin) const {
+  const double room = largest_hull_ - radius;
+  if (room < kLeastRoom * radius) {
+    throw Error("a particle of radius " + std::to_string(radius) + " is too large for its periodic box: a hull of " +
+                std::to_string(largest_hull_) + " is all that the shortest axis allows");
+  }
+  return std::min(skin, room);
+}
+
+void Skins::learn(const EpochCounts &counts, std::size_t count) {
+  const double collisions = static_cast<double>(counts.collisions), renewals = static_cast<double>(counts.renewals);
+  if (counts.partners > kTooLongList || renewals < kFewRenewals * collisions) {
+    inner_ /= kStep;
+  } else if (renewals > kManyRenewals * collisions && counts.partners < kLongList) {
+    inner_ *= kStep;
+  }
+  const bool too_short = 2 * collisions < kShortEpoch * static_cast<double>(count);
+  if (counts.outer_partners > kLongOuterList || (!counts.ended_by_hulls && counts.few_strays)) {
+    outer_ /= kStep;
+  } else if (counts.ended_by_hulls && too_short) {
+    outer_ *= kStep;
+  }
+  outer_ = std::max(outer_, kLeastRatio * inner_);
+}
+
+}  // namespace hgrid_sim::event

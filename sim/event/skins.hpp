@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How far hulls stand off their particles: learnt from what the last epoch counted, never from a clock.
+#ifndef HGRID_SIM_EVENT_SKINS_HPP
+#define HGRID_SIM_EVENT_SKINS_HPP
+
+#include "sim/box.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hgrid_sim::event {
+
+// What an epoch counted.
+struct EpochCounts {
+  std::uint64_t collisions = 0, renewals = 0;
+  double partners = 0;        // mean length of a list of partners
+  double outer_partners = 0;  // the same of outer hulls
+  bool ended_by_hulls = false;
+  bool few_strays = false;
+};
+
+class Skins {
+ public:
+  Skins(const Box &box, std::size_t count);
+
+  void learn(const EpochCounts &counts, std::size_t count);
+
+  // The skins of a particle whose radius is `radius` and grows at `growth`. The surface of a large particle in growth
+  // moves steadily, where that of a small one rattles: it gets more. Throws Error if the box leaves no room.
+  double inner(double radius, double growth) const { return capped(radius, inner_ + growth * kHorizon * inner_); }
+  double outer(double radius, double growth) const { return capped(radius, outer_ + growth * kHorizon * outer_); }
+
+ private:
+  // Growth that a hull allows for, in units of the time to cross the skin at thermal speed.
+  static constexpr double kHorizon = 4;
+
+  double capped(double radius, double skin) const;
+
+  double inner_, outer_;
+  double largest_hull_;  // that the periodic axes allow
+};
+
+}  // namespace hgrid_sim::event
+
+#endif
