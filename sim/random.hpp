@@ -39,8 +39,8 @@ class Random {
   // Uniform in [0, 1), a multiple of 2^-53.
   double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 
-  // Mean 0 and variance 1, nearly Gaussian: the sum of twelve uniform numbers less 6. No logarithm or cosine, whose last
-  // bits differ between C libraries.
+  // Mean 0 and variance 1, nearly Gaussian: the sum of twelve uniform numbers less 6. No logarithm or cosine, whose
+  // last bits differ between C libraries.
   double normal() {
     double sum = -6;
     for (int k = 0; k < 12; ++k) sum += uniform();

@@ -4,6 +4,9 @@
 // `hgrid pack`: makes a packing of a size law and writes it to a particle file.
 #include "command.hpp"
 #include "error.hpp"
+#include "growth_line.hpp"
+#include "interrupt.hpp"
+#include "packing/growth.hpp"
 #include "packing/packing.hpp"
 #include "particles/writer.hpp"
 
@@ -23,6 +26,9 @@ namespace {
 
 struct PackOptions {
   packing::Request request;
+  std::string method = "relax";
+  std::optional<int> sweeps;
+  std::optional<double> growth_rate;
   std::string law = "uniform-volume";
   std::optional<double> ratio;
   std::optional<double> offset;
@@ -45,6 +51,11 @@ packing::Request request_of(const PackOptions &options) {
     const bool two_sizes = request.law.law == packing::Law::kTwoSizes;
     request.law.ratio = options.ratio.value_or(two_sizes ? kUsualRatioOfTwoSizes : kUsualRatio);
   }
+  if (options.sweeps && options.method != "relax") throw CLI::ValidationError("--sweeps", "is for --method relax");
+  if (options.growth_rate && options.method != "event") {
+    throw CLI::ValidationError("--growth-rate", "is for --method event");
+  }
+  request.sweeps = options.sweeps.value_or(request.sweeps);
   request.offset = options.offset.value_or(request.offset);
   request.random_offset = options.random_offset;
   for (const char axis : options.periodic) {
@@ -102,20 +113,21 @@ class SweepLine {
   bool terminal_;
 };
 
-void print_summary(const PackOptions &options, const packing::Packing &packing, double seconds) {
-  const ParticleSet &set = packing.particles;
+// What is said of a packing goes beside it, not into it.
+std::FILE *summary_file(const PackOptions &options) { return options.output == "-" ? stderr : stdout; }
+
+void print_particles(const PackOptions &options, const ParticleSet &set, double density) {
   const auto [smallest, largest] = std::minmax_element(set.radii.begin(), set.radii.end());
-  std::FILE *out = options.output == "-" ? stderr : stdout;
-  std::fprintf(out, "%s: %s, %zu %s, radii %.6g to %.6g, box edge %.9g, density %g\n", options.output.c_str(),
-               options.law.c_str(), set.count(), set.dimension == 2 ? "disks" : "spheres", *smallest, *largest,
-               set.box_max[0], options.request.density);
-  std::fprintf(out, "%zu contacts, overlap over the smaller radius: mean %.2g, largest %.2g; made in %.1f s\n",
-               packing.overlaps.contacts, packing.overlaps.mean, packing.overlaps.largest, seconds);
+  std::fprintf(summary_file(options), "%s: %s, %zu %s, radii %.6g to %.6g, box edge %.9g, density %.6g\n",
+               options.output.c_str(), options.law.c_str(), set.count(), set.dimension == 2 ? "disks" : "spheres",
+               *smallest, *largest, set.box_max[0], density);
 }
 
-void run_pack(const PackOptions &options) {
-  const packing::Request request = request_of(options);
-  const Format format = format_of(options);
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void relax(const PackOptions &options, const packing::Request &request, Format format) {
   const auto start = std::chrono::steady_clock::now();
   packing::Packing packing;
   {
@@ -124,8 +136,59 @@ void run_pack(const PackOptions &options) {
         request, [&line](int done, const packing::Overlaps &overlaps) { line.show(done, overlaps); });
   }
   write_whole(options.output, format, packing.particles);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  print_summary(options, packing, elapsed.count());
+  print_particles(options, packing.particles, request.density);
+  std::fprintf(summary_file(options),
+               "%zu contacts, overlap over the smaller radius: mean %.2g, largest %.2g; made in %.1f s\n",
+               packing.overlaps.contacts, packing.overlaps.mean, packing.overlaps.largest, seconds_since(start));
+}
+
+void print_growth(const PackOptions &options, const hgrid_sim::event::GrowthResult &growth, double seconds) {
+  const double events = static_cast<double>(growth.tally.events());
+  const double per_particle =
+      2 * static_cast<double>(growth.tally.collisions) / static_cast<double>(growth.radii.size());
+  std::fprintf(summary_file(options),
+               "0 overlaps; %.4g events, %.3g per second, %.4g collisions per particle, growth rate %.3g, %d retries, "
+               "pressure %.3g NkT/V; made in %.1f s\n",
+               events, events / seconds, per_particle, growth.rate, growth.retries, growth.compressibility, seconds);
+}
+
+// A growth that was stopped or jammed leaves its file too, but is no success.
+void report_early_end(const PackOptions &options, const hgrid_sim::event::GrowthResult &growth) {
+  using hgrid_sim::event::GrowthEnd;
+  if (growth.end == GrowthEnd::kDone) return;
+  char density[32];
+  std::snprintf(density, sizeof density, "%.6g", growth.density);
+  const std::string what = growth.end == GrowthEnd::kStopped ? "stopped" : "jammed";
+  const std::string advice = growth.end == GrowthEnd::kStopped ? "" : "; try a lower --growth-rate";
+  throw Error("the growth was " + what + " at density " + density + "; " + options.output +
+              " holds its state, without overlaps" + advice);
+}
+
+void grow(const PackOptions &options, const packing::Request &request, Format format) {
+  const auto start = std::chrono::steady_clock::now();
+  packing::GrownPacking packing;
+  {
+    const Interrupt interrupt;
+    GrowthLine line;
+    packing = packing::grow_packing(request, options.growth_rate.value_or(0), [&](const auto &progress) {
+      line.show(progress);
+      return !interrupt.requested();
+    });
+  }
+  write_whole(options.output, format, packing.particles);
+  print_particles(options, packing.particles, packing.growth.density);
+  print_growth(options, packing.growth, seconds_since(start));
+  report_early_end(options, packing.growth);
+}
+
+void run_pack(const PackOptions &options) {
+  const packing::Request request = request_of(options);
+  const Format format = format_of(options);
+  if (options.method == "event") {
+    grow(options, request, format);
+  } else {
+    relax(options, request, format);
+  }
 }
 
 }  // namespace
@@ -145,8 +208,15 @@ void add_pack(CLI::App &parent) {
       command->add_option("--offset", options->offset,
                           "Where in its share of the size law each radius is sampled, from 0 to below 1 (0.5)");
   command->add_flag("--random-offset", options->random_offset, "Draw the offset from the seed")->excludes(offset);
-  command->add_option("--sweeps", request.sweeps, "Sweeps that push overlapping particles apart")
+  command
+      ->add_option("--method", options->method,
+                   "relax: random places, pushed apart, small overlaps stay; event: grown from points, no overlaps")
+      ->check(CLI::IsMember({"relax", "event"}))
       ->capture_default_str();
+  command->add_option("--sweeps", options->sweeps, "relax: sweeps that push overlapping particles apart (60)");
+  command->add_option("--growth-rate", options->growth_rate,
+                      "event: growth of the radii at the end, from 0 to 1 per time at thermal speed 1 (0.01 over the "
+                      "mean radius)");
   command->add_option("--dimension", request.law.dimension, "2 (disks) or 3 (spheres)")->capture_default_str();
   command->add_option("--periodic", options->periodic, "Axes without walls, e.g. xy (none)");
   command

@@ -6,7 +6,6 @@
 
 #include "error.hpp"
 #include "packing/placement.hpp"
-#include "sim/random.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +40,6 @@ void check_box(const Request &request, double edge, double largest_radius) {
   }
 }
 
-}  // namespace
-
 void check_request(const Request &request) {
   const SizeLaw &law = request.law;
   if (law.dimension != 2 && law.dimension != 3) {
@@ -72,23 +69,28 @@ void check_request(const Request &request) {
   }
 }
 
-Packing make_packing(const Request &request, const SweepObserver &observe) {
-  check_request(request);
-  hgrid_sim::Random random(request.seed);
-  const double u = request.random_offset ? random.uniform() : request.offset;
-  std::vector<double> radii = sample_radii(request.law, request.count, u);
-  Container container;
-  container.dimension = request.law.dimension;
-  container.periodic = request.periodic;
-  container.edge = box_edge(radii, request.density, container.dimension);
-  check_box(request, container.edge, radii.back());
+}  // namespace
 
+Beginning begin_packing(const Request &request) {
+  check_request(request);
+  Beginning beginning{{}, {}, hgrid_sim::Random(request.seed)};
+  const double u = request.random_offset ? beginning.random.uniform() : request.offset;
+  beginning.radii = sample_radii(request.law, request.count, u);
+  beginning.container.dimension = request.law.dimension;
+  beginning.container.periodic = request.periodic;
+  beginning.container.edge = box_edge(beginning.radii, request.density, request.law.dimension);
+  check_box(request, beginning.container.edge, beginning.radii.back());
+  hgrid_sim::shuffle(beginning.radii, beginning.random);
+  return beginning;
+}
+
+Packing make_packing(const Request &request, const SweepObserver &observe) {
+  Beginning beginning = begin_packing(request);
   Packing packing;
-  packing.particles = container.empty_set();
-  hgrid_sim::shuffle(radii, random);
-  packing.particles.radii = std::move(radii);
-  place_at_random(container, random, packing.particles);
-  packing.overlaps = relax(container, request.sweeps, observe, packing.particles);
+  packing.particles = beginning.container.empty_set();
+  packing.particles.radii = std::move(beginning.radii);
+  place_at_random(beginning.container, beginning.random, packing.particles);
+  packing.overlaps = relax(beginning.container, request.sweeps, observe, packing.particles);
   return packing;
 }
 

@@ -7,9 +7,11 @@
 
 #include "packing/relaxation.hpp"
 #include "packing/size_law.hpp"
+#include "sim/random.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace packing {
 
@@ -30,8 +32,16 @@ struct Packing {
   Overlaps overlaps;
 };
 
-// Throws app::Error naming the value that cannot be: a density of 1, a box smaller than its largest particle ...
-void check_request(const Request &request);
+// What a packing is made from.
+struct Beginning {
+  Container container;
+  std::vector<double> radii;  // in random order
+  hgrid_sim::Random random;   // for all that follows
+};
+
+// Samples the radii and sets up the box. Throws app::Error naming the value that cannot be: a density of 1, a box
+// smaller than its largest particle ...
+Beginning begin_packing(const Request &request);
 
 // Checks the request and makes the packing. The same request gives the same bytes on any machine.
 Packing make_packing(const Request &request, const SweepObserver &observe);

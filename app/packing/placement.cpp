@@ -39,8 +39,8 @@ bool inside_a_larger_one(app::Grid &grid, const double *center) {
 }
 
 // The members' centres are thrown and they join `placed`, whose centres `larger` holds.
-void place_class(const Container &container, hgrid_sim::Random &random, app::Grid &larger, const std::vector<double> &radii,
-                 app::ParticleSet &placed) {
+void place_class(const Container &container, hgrid_sim::Random &random, app::Grid &larger,
+                 const std::vector<double> &radii, app::ParticleSet &placed) {
   const std::size_t d = static_cast<std::size_t>(container.dimension);
   for (const double radius : radii) {
     double center[3];

@@ -126,7 +126,8 @@ void Engine::rebuild_hulls() {
 EpochEnd Engine::loop(const Epoch &epoch, const std::function<bool()> &poll) {
   const std::uint64_t most_collisions = tally_.collisions + epoch.most_collisions;
   const std::uint64_t stall = kStallCollisions * static_cast<std::uint64_t>(particles_.size());
-  std::uint64_t next_stall_check = tally_.collisions + stall, steps = 0;
+  std::uint64_t next_stall_check = tally_.collisions + stall;
+  std::uint64_t steps = kEventsPerPoll - 1;  // the first event is polled: epochs may be shorter
   double stall_time = 0;
   for (;;) {
     if (queue_.first_time() >= epoch.longest) {
@@ -142,9 +143,8 @@ EpochEnd Engine::loop(const Epoch &epoch, const std::function<bool()> &poll) {
       stall_time = now_;
       next_stall_check = tally_.collisions + stall;
     }
-    if (++steps % kEventsPerPoll != 0) continue;
     if (kinetic_ > epoch.highest_energy) return EpochEnd::kEnergy;
-    if (poll && !poll()) return EpochEnd::kStopped;
+    if (++steps % kEventsPerPoll == 0 && poll && !poll()) return EpochEnd::kStopped;
   }
 }
 
@@ -190,9 +190,11 @@ Engine::Event Engine::next_event(std::int32_t i) {
   const Sphere &hull = hulls_.hull(i);
   const Vector from_hull = kPeriodic ? box_.nearest(center - hull.center) : Vector(center - hull.center);
   std::int32_t partner = kExit;
-  double tau = exit_time(from_hull, particle.velocity, hull.radius - now_scale * particle.radius, growth_ * particle.radius);
+  double tau =
+      exit_time(from_hull, particle.velocity, hull.radius - now_scale * particle.radius, growth_ * particle.radius);
   meet_walls(particle, center, tau, partner);
   const Row row = hulls_.partners(i);
+  for (const std::int32_t j : row) __builtin_prefetch(&particles_[index(j)]);
   for (const std::int32_t j : row) {
     const Particle &other = particles_[index(j)];
     Vector x = other.center + other.velocity * (now_ - other.time) - center;

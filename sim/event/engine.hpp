@@ -30,16 +30,16 @@ struct State {
 
 // What happened, counted from the start of an engine.
 struct Tally {
-  std::uint64_t collisions = 0;   // of two particles
+  std::uint64_t collisions = 0;  // of two particles
   std::uint64_t wall_hits = 0;
   std::uint64_t renewals = 0;     // of hulls
   std::uint64_t stale = 0;        // events found outdated and predicted anew
   std::uint64_t predictions = 0;  // of the meeting of two particles
   std::uint64_t rebuilds = 0;     // of all hulls
   double time = 0;
-  double virial = 0;              // sum over collisions of impulse times distance of centres
-  double wall_impulse = 0;        // sum over hits of walls
-  double energy_gain = 0;         // from growing surfaces
+  double virial = 0;        // sum over collisions of impulse times distance of centres
+  double wall_impulse = 0;  // sum over hits of walls
+  double energy_gain = 0;   // from growing surfaces
 
   std::uint64_t events() const { return collisions + wall_hits + renewals + stale; }
 };
@@ -57,9 +57,9 @@ enum class EpochEnd {
 // One stretch at a constant growth rate (of the scale per time).
 struct Epoch {
   double growth = 0;
-  double longest = 0;                  // time
+  double longest = 0;  // time
   std::uint64_t most_collisions = 0;
-  double highest_energy = 0;           // kinetic
+  double highest_energy = 0;  // kinetic
 };
 
 // Spheres move freely, collide elastically with each other's (growing) surfaces and with walls. Each particle has its
@@ -98,8 +98,8 @@ class Engine {
   };
   struct Event {
     double time;
-    std::int32_t partner;            // a particle, or one of the codes below
-    std::uint32_t partner_count;     // the partner's collisions when it was predicted
+    std::int32_t partner;         // a particle, or one of the codes below
+    std::uint32_t partner_count;  // the partner's collisions when it was predicted
   };
   static constexpr std::int32_t kExit = -1;
   static constexpr std::int32_t kFirstWall = -2;  // then downwards: lower x, upper x, lower y ...

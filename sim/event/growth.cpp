@@ -20,10 +20,10 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 // <r> growing at 1 % of the thermal speed leaves the fluid time to relax.
 constexpr double kUsualRate = 0.01;
-constexpr double kFastest = 10;        // growth in the dilute phase over that at the end
-constexpr double kLongestStep = 0.02;  // of the scale, before the rate is chosen anew
+constexpr double kFastest = 10;                   // growth in the dilute phase over that at the end
+constexpr double kLongestStep = 0.02;             // of the scale, before the rate is chosen anew
 constexpr std::uint64_t kCollisionsPerEpoch = 5;  // over the number of particles
-constexpr double kHottest = 1.5;  // kinetic energy over that at the start
+constexpr double kHottest = 1.5;                  // kinetic energy over that at the start
 // Growth goes on past the radii wanted by this share, which rounding cannot eat up.
 constexpr double kSpare = 1e-10;
 // A fluid at the densities that can be reached has a pressure of 10 to 100; beyond this, particles hold each other.
@@ -134,7 +134,7 @@ class Growth {
   Fluid fluid_;
   double target_, rate_, energy_ = 0;
   double work_[kWorkSteps + 1]{};
-  State restart_;  // where a retry begins
+  State restart_;                   // where a retry begins
   std::vector<std::size_t> order_;  // whom the k-th particle of the engine stands for
   std::unique_ptr<Engine> engine_;
   Tally earlier_;  // of former tries

@@ -27,7 +27,7 @@ struct GrowthRequest {
 
 struct GrowthProgress {
   double density = 0;
-  double share_done = 0;     // of the work, as estimated from the fluid's pressure
+  double share_done = 0;       // of the work, as estimated from the fluid's pressure
   double compressibility = 0;  // p V / (N kT) in the last epoch
   int retries = 0;
   const Tally *tally = nullptr;

@@ -16,8 +16,8 @@ constexpr double kLeastSkin = 0.5;
 GridPointer outer_grid(const Box &box) {
   hg_grid_def def = hg_default_grid_def();
   box.describe(def);
-  def.thread_count = 1;        // rebuilding is a small part; waiting threads would take a core from others
-  def.accuracy = HG_FLOAT;     // lists may hold a pair too much, never one too few
+  def.thread_count = 1;     // rebuilding is a small part; waiting threads would take a core from others
+  def.accuracy = HG_FLOAT;  // lists may hold a pair too much, never one too few
   return create_grid(def);
 }
 

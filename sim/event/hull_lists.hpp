@@ -83,8 +83,8 @@ class HullLists {
   GridPointer grid_;
   bool filled_ = false;
   std::vector<Sphere> outer_, inner_;
-  std::vector<double> centers_, radii_;     // of the outer hulls, as the library takes them
-  const std::int64_t *offsets_ = nullptr;   // borrowed: rows of overlapping outer hulls
+  std::vector<double> centers_, radii_;    // of the outer hulls, as the library takes them
+  const std::int64_t *offsets_ = nullptr;  // borrowed: rows of overlapping outer hulls
   const std::int32_t *neighbors_ = nullptr;
   std::vector<Slot> slots_;
   std::vector<std::int32_t> pool_;
@@ -92,7 +92,7 @@ class HullLists {
   std::vector<char> is_stray_;
   std::vector<std::uint32_t> marks_;  // mark_: was a partner; mark_ + 1: still is
   std::uint32_t mark_ = 0;
-  std::vector<std::int32_t> old_;     // the partners before a renewal
+  std::vector<std::int32_t> old_;  // the partners before a renewal
 };
 
 }  // namespace hgrid_sim::event

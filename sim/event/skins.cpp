@@ -35,6 +35,7 @@ Skins::Skins(const Box &box, std::size_t count) : largest_hull_(std::numeric_lim
   inner_ = kFirstInner * distance;
   outer_ = kFirstOuter * distance;
   for (int k = 0; k < box.dimension(); ++k) {
+    largest_skin_ = std::max(largest_skin_, box.edge(k));
     // The library asks for twice the largest reach, the sum of two hulls; a little less for its rounding.
     if (box.is_periodic(k)) largest_hull_ = std::min(largest_hull_, box.edge(k) / 4 * (1 - 1e-9));
   }
@@ -62,7 +63,9 @@ void Skins::learn(const EpochCounts &counts, std::size_t count) {
   } else if (counts.ended_by_hulls && too_short) {
     outer_ *= kStep;
   }
-  outer_ = std::max(outer_, kLeastRatio * inner_);
+  // In a thin gas no list ever gets long.
+  inner_ = std::min(inner_, largest_skin_);
+  outer_ = std::min(std::max(outer_, kLeastRatio * inner_), kLeastRatio * largest_skin_);
 }
 
 }  // namespace hgrid_sim::event

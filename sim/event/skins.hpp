@@ -40,6 +40,7 @@ class Skins {
   double capped(double radius, double skin) const;
 
   double inner_, outer_;
+  double largest_skin_ = 0;
   double largest_hull_;  // that the periodic axes allow
 };
 
