@@ -7,7 +7,7 @@
 #include "child.hpp"
 #include "grid_handle.hpp"
 #include "measure/search_timer.hpp"
-#include "packing/random.hpp"
+#include "sim/random.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -86,7 +86,7 @@ Contestant contestant_of(const LibrarySetting &setting) {
 class Motion {
  public:
   Motion(const app::ParticleSet &set, double longest_step) : start_(&set), velocities_(set.centers.size()) {
-    packing::Random random(1);
+    hgrid_sim::Random random(1);
     for (double &v : velocities_) v = longest_step * (2 * random.uniform() - 1);
   }
   void place(int step, std::vector<double> &centers) const {

@@ -6,9 +6,9 @@
 #define APP_MEASURE_STEP_TIMER_HPP
 
 #include "grid_handle.hpp"
-#include "packing/random.hpp"
 #include "particles/particle_set.hpp"
 #include "search_timer.hpp"
+#include "sim/random.hpp"
 
 #include <hgrid/hgrid.h>
 
@@ -23,7 +23,7 @@ namespace measure {
 class Flight {
  public:
   Flight(const app::ParticleSet &start, double displacement) : particles_(start) {
-    packing::Random random(1);
+    hgrid_sim::Random random(1);
     velocity_.reserve(start.centers.size());
     const auto dimension = static_cast<std::size_t>(start.dimension);
     while (velocity_.size() < start.centers.size()) {

@@ -40,6 +40,8 @@ void check_box(const Request &request, double edge, double largest_radius) {
   }
 }
 
+}  // namespace
+
 void check_request(const Request &request) {
   const SizeLaw &law = request.law;
   if (law.dimension != 2 && law.dimension != 3) {
@@ -68,8 +70,6 @@ void check_request(const Request &request) {
     }
   }
 }
-
-}  // namespace
 
 Beginning begin_packing(const Request &request) {
   check_request(request);

@@ -32,6 +32,9 @@ struct Packing {
   Overlaps overlaps;
 };
 
+// Throws app::Error naming the value that cannot be: a density of 1, a negative number of sweeps ...
+void check_request(const Request &request);
+
 // What a packing is made from.
 struct Beginning {
   Container container;
@@ -39,8 +42,8 @@ struct Beginning {
   hgrid_sim::Random random;   // for all that follows
 };
 
-// Samples the radii and sets up the box. Throws app::Error naming the value that cannot be: a density of 1, a box
-// smaller than its largest particle ...
+// Checks the request, samples the radii and sets up the box. Throws app::Error also where the box is smaller than its
+// largest particle.
 Beginning begin_packing(const Request &request);
 
 // Checks the request and makes the packing. The same request gives the same bytes on any machine.
