@@ -124,6 +124,21 @@ static void bad_arguments(void **state) {
   hg_destroy(grid);
 }
 
+static void too_far_outside_a_periodic_box(void **state) {
+  const double far[3] = {0, 4294967296.0, 0};
+  const int32_t *ids;
+  size_t count;
+  hg_grid_def def = hg_default_grid_def();
+  hg_grid *grid;
+  (void)state;
+  def.periodic[1] = 1;
+  def.box_max[1] = 1;
+  grid = make_empty(&def);
+  assert_status(HG_ERR_ARGUMENT, hg_query_sphere(grid, far, 0.1, &ids, &count));
+  assert_error_names("center[1]");
+  hg_destroy(grid);
+}
+
 static hg_status query_again(hg_grid *grid) {
   const double center[3] = {4, 0, 0};
   const int32_t *ids;
@@ -157,6 +172,7 @@ int main(void) {
                                      cmocka_unit_test(two_dimensions),
                                      cmocka_unit_test(empty_grid),
                                      cmocka_unit_test(bad_arguments),
+                                     cmocka_unit_test(too_far_outside_a_periodic_box),
                                      cmocka_unit_test(refused_inside_a_visitor),
                                      cmocka_unit_test(no_memory)};
   return cmocka_run_group_tests(tests, NULL, NULL);
