@@ -43,6 +43,18 @@ struct NeonLanes {
     return vld1q_s32(kLane);
   }
 
+  // As in lanes_sse2.hpp.
+  static Int records(const Record *points, const int32_t *index) { return load(&points[index[0]].x); }
+  static Int low_words(Int a, Int b) { return vzip1q_s32(a, b); }
+  static Int high_words(Int a, Int b) { return vzip2q_s32(a, b); }
+  static Int low_doubles(Int a, Int b) {
+    return vreinterpretq_s32_s64(vzip1q_s64(vreinterpretq_s64_s32(a), vreinterpretq_s64_s32(b)));
+  }
+  static Int high_doubles(Int a, Int b) {
+    return vreinterpretq_s32_s64(vzip2q_s64(vreinterpretq_s64_s32(a), vreinterpretq_s64_s32(b)));
+  }
+  static Float as_float(Int a) { return vreinterpretq_f32_s32(a); }
+
   // No fused operations: the other sets have none, and pairs must not depend on the set.
   static Float add(Float a, Float b) { return vaddq_f32(a, b); }
   static Float sub(Float a, Float b) { return vsubq_f32(a, b); }

@@ -54,20 +54,28 @@ hg_grid_def definition(Rng &rng, int dimension) {
   return def;
 }
 
+std::uint64_t query(const Grid &grid, std::size_t &count) {
+  const hg_pair *pairs = nullptr;
+  require_ok(hg_query_pairs(grid.get(), &pairs, &count), "hg_query_pairs");
+  return hash_of(pairs, count);
+}
+
+// A search, and one step of small moves, which stored candidates answer where there is a skin.
 void print_scene(std::uint64_t seed) {
   Rng rng(seed);
   const int dimension = rng.integer(2, 3);
   const double size_ratio = rng.chance(0.3) ? 1 : rng.uniform(2, 100);
-  const hg_grid_def def = definition(rng, dimension);
-  const Particles particles = fill(rng, dimension, size_ratio);
+  hg_grid_def def = definition(rng, dimension);
+  def.skin = rng.chance(0.7) ? 0.002 : 0;
+  Particles particles = fill(rng, dimension, size_ratio);
   const Grid grid = make_grid(def, particles);
-  const hg_pair *pairs = nullptr;
-  const hg_level *levels = nullptr;
-  std::size_t count = 0, level_count = 0;
-  require_ok(hg_query_pairs(grid.get(), &pairs, &count), "hg_query_pairs");
-  require_ok(hg_query_levels(grid.get(), &levels, &level_count), "hg_query_levels");
-  std::printf("seed %2" PRIu64 ": %dD, %5zu particles on %zu levels, %6zu pairs, hash %016" PRIx64 "\n", seed,
-              dimension, particles.size(), level_count, count, hash_of(pairs, count));
+  std::size_t count = 0, moved_count = 0;
+  const std::uint64_t hash = query(grid, count);
+  for (double &x : particles.centers) x += rng.uniform(-0.0003, 0.0003);
+  require_ok(hg_move(grid.get(), particles.size(), particles.centers.data(), nullptr), "hg_move");
+  const std::uint64_t moved_hash = query(grid, moved_count);
+  std::printf("seed %2" PRIu64 ": %dD, %5zu particles, %6zu pairs, hash %016" PRIx64 "; moved: %6zu, %016" PRIx64 "\n",
+              seed, dimension, particles.size(), count, hash, moved_count, moved_hash);
 }
 
 }  // namespace
