@@ -56,6 +56,7 @@ void Channel::write_bytes(const void *bytes, std::size_t size) {
   while (size > 0) {
     const ssize_t written = write(out_, next, size);
     if (written < 0 && errno == EINTR) continue;
+    if (written < 0 && errno == EPIPE) throw ProcessEnded("the other process ended");
     if (written <= 0) fail("writing to the other process");
     next += written;
     size -= static_cast<std::size_t>(written);
@@ -73,7 +74,7 @@ void Channel::read_bytes(void *bytes, std::size_t size) {
     }
     const ssize_t got = read(in_, next, size);
     if (got < 0 && errno == EINTR) continue;
-    if (got == 0) throw std::runtime_error("the other process ended");
+    if (got == 0) throw ProcessEnded("the other process ended");
     if (got < 0) fail("reading from the other process");
     next += got;
     size -= static_cast<std::size_t>(got);
@@ -109,10 +110,13 @@ Child::~Child() {
   wait();
 }
 
-void Child::wait() {
-  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+std::string Child::wait() {
+  int status = 0;
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
   process_ = -1;
+  if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));
+  return "exit code " + std::to_string(WEXITSTATUS(status));
 }
 
 }  // namespace bench

@@ -23,12 +23,18 @@ class PatienceEnded : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The process at the other end is gone.
+class ProcessEnded : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 // Messages between the two processes: plain structs and arrays of them.
 class Channel {
  public:
   Channel(int in, int out) : in_(in), out_(out) {}
 
-  // From now on, waiting longer than that throws PatienceEnded. An end that is gone throws std::runtime_error always.
+  // From now on, waiting longer than that throws PatienceEnded. A process that is gone throws ProcessEnded always.
   void set_patience(double seconds) { patience_ = seconds; }
 
   template <class T>
@@ -74,8 +80,8 @@ class Child {
   Child &operator=(const Child &) = delete;
 
   Channel &channel() { return channel_; }
-  // Waits for the process to end by itself.
-  void wait();
+  // Waits for the process to end by itself and says how it did, e.g. "signal 11".
+  std::string wait();
 
  private:
   pid_t process_ = -1;

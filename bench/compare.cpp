@@ -104,7 +104,7 @@ class Comparison {
       const std::string key = key_of(result.contestant);
       if (result.gave_up) {
         gave_up_.insert(key);
-      } else if (!result.fault.empty()) {
+      } else if (result.chosen && !result.fault.empty()) {
         std::printf("%s: %s\n", key.c_str(), result.fault.c_str());
         good_ = false;
       }

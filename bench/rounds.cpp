@@ -8,11 +8,13 @@
 #include "pair_sets.hpp"
 
 #include <sys/resource.h>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <exception>
 #include <memory>
 #include <thread>
 
@@ -27,6 +29,13 @@ struct Report {
   double peak_bytes = 0;
   Details details;
 };
+
+// A child that finds free but present memory in the heap it inherits would seem to need less than it does.
+void release_unused_memory() {
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
+}
 
 double peak_bytes() {
   rusage usage{};
@@ -72,6 +81,7 @@ class Runner {
  public:
   Runner(const Contestant &contestant, const app::ParticleSet &particles, const Effort &effort) : effort_(&effort) {
     result_.contestant = contestant;
+    release_unused_memory();
     child_ = std::make_unique<Child>(contestant.name + " " + contestant.variant,
                                      [&](Channel &channel) { serve(contestant, particles, channel); });
     child_->channel().set_patience(effort.patience);
@@ -116,7 +126,6 @@ class Runner {
     result_.chosen = false;
   }
 
-  bool good() const { return result_.fault.empty(); }
   double fastest() const { return *std::min_element(result_.seconds.begin(), result_.seconds.end()); }
   const Result &result() const { return result_; }
 
@@ -137,8 +146,9 @@ class Runner {
       result_.gave_up = true;
       result_.fault = ended.what();
       child_.reset();
-    } catch (const std::exception &error) {
-      result_.fault = error.what();
+    } catch (const ProcessEnded &) {
+      result_.broke_down = true;
+      result_.fault = "broke down: " + child_->wait();
       child_.reset();
     }
   }
@@ -151,14 +161,16 @@ class Runner {
 
 using Runners = std::vector<std::unique_ptr<Runner>>;
 
-// Of the variants of one name only the fastest goes on.
+// Of the variants of one name only the fastest goes on. One that did not come to an end, as some settings do not suit
+// some sizes, loses against any that did; one with wrong pairs stays, to be seen.
 void drop_slower_variants(Runners &runners) {
   for (const auto &runner : runners) {
-    const Contestant &own = runner->result().contestant;
-    if (!own.tuned || !runner->good() || !runner->result().chosen) continue;
+    const Result &own = runner->result();
+    if (!own.contestant.tuned || !own.chosen || (!own.fault.empty() && !own.gave_up && !own.broke_down)) continue;
     const bool beaten = std::any_of(runners.begin(), runners.end(), [&](const auto &other) {
-      return other->result().contestant.name == own.name && other->result().contestant.tuned && other->good() &&
-             other->result().chosen && other->fastest() < runner->fastest();
+      const Result &rival = other->result();
+      return rival.contestant.name == own.contestant.name && rival.chosen && rival.fault.empty() &&
+             (!own.fault.empty() || other->fastest() < runner->fastest());
     });
     if (beaten) runner->lose();
   }

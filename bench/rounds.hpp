@@ -26,10 +26,11 @@ struct Result {
   std::vector<double> seconds;
   Details details;
   std::size_t pairs = 0;
-  double peak_bytes = 0;  // that the process held above what it began with, in the first run
-  bool chosen = true;     // false: a faster variant of the same name was measured instead
-  bool gave_up = false;   // patience ended
-  std::string fault;      // "" if the pairs are right, else what went wrong
+  double peak_bytes = 0;    // that the process held above what it began with, in the first run
+  bool chosen = true;       // false: another variant of the same name was measured instead
+  bool gave_up = false;     // patience ended
+  bool broke_down = false;  // the process ended
+  std::string fault;        // "" if the pairs are right, else what went wrong
 };
 
 // One result for each contestant that has something to do, in their order. `reference` is of the same particles, or of

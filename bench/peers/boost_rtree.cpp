@@ -55,9 +55,9 @@ void add(std::vector<Peer> &peers) {
 }  // namespace
 
 void add_boost_rtree(std::vector<Peer> &peers) {
+  add<3>(peers);
   add<4>(peers);
   add<8>(peers);
-  add<16>(peers);
 }
 
 }  // namespace bench

@@ -6,6 +6,7 @@
 
 #include <nanoflann.hpp>
 
+#include <cstdlib>
 #include <memory>
 
 namespace bench {
@@ -103,19 +104,13 @@ PairFinder finder(const Particles &particles, double ratio, std::size_t leaf) {
 }  // namespace
 
 void add_nanoflann(std::vector<Peer> &peers) {
-  struct Setting {
-    const char *variant;
-    double ratio;
-    std::size_t leaf;
-  };
-  const Setting settings[] = {{"ratio-1.5-leaf-10", 1.5, 10},
-                              {"ratio-2-leaf-10", 2, 10},
-                              {"ratio-2-leaf-20", 2, 20},
-                              {"ratio-3-leaf-10", 3, 10},
-                              {"ratio-3-leaf-20", 3, 20}};
-  for (const Setting &setting : settings) {
-    peers.push_back({"nanoflann", setting.variant,
-                     [setting](const Particles &particles) { return finder(particles, setting.ratio, setting.leaf); }});
+  for (const char *ratio : {"1.5", "2", "3"}) {
+    for (const int leaf : {20, 40}) {
+      const auto prepare = [ratio = std::strtod(ratio, nullptr), leaf](const Particles &particles) {
+        return finder(particles, ratio, static_cast<std::size_t>(leaf));
+      };
+      peers.push_back({"nanoflann", std::string("ratio-") + ratio + "-leaf-" + std::to_string(leaf), prepare});
+    }
   }
 }
 
