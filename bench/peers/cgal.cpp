@@ -65,7 +65,7 @@ class Finder {
 }  // namespace
 
 void add_cgal(std::vector<Peer> &peers) {
-  for (const int cutoff : {300, 1000, 2000, 3000, 5000}) {
+  for (const int cutoff : {300, 1000, 2000, 3000, 5000, 10000}) {
     peers.push_back({"cgal", "cutoff-" + std::to_string(cutoff), [cutoff](const Particles &particles) {
                        auto finder = std::make_shared<Finder>(particles, cutoff);
                        return [finder](std::vector<hg_pair> &pairs) { (*finder)(pairs); };
