@@ -38,7 +38,7 @@ class Axis:
         if logarithmic:
             low, high = low / 1.15, high * 1.15
         else:
-            room = 0.06 * (high - low) or 0.5
+            room = (0.12 if from_zero else 0.06) * (high - low) or 0.5
             low, high = low - (0 if from_zero else room), high + room
         self.low, self.high = low, high
 
