@@ -7,7 +7,7 @@
 #include "child.hpp"
 #include "grid_handle.hpp"
 #include "measure/search_timer.hpp"
-#include "sim/random.hpp"
+#include "measure/step_timer.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -81,28 +81,6 @@ Contestant contestant_of(const LibrarySetting &setting) {
   return contestant;
 }
 
-// Particles to and fro, each at a velocity of its own: they turn every kTurn steps, so that the packing stays what it
-// is. Places follow from the number of the step without rounding that adds up.
-class Motion {
- public:
-  Motion(const app::ParticleSet &set, double longest_step) : start_(&set), velocities_(set.centers.size()) {
-    hgrid_sim::Random random(1);
-    for (double &v : velocities_) v = longest_step * (2 * random.uniform() - 1);
-  }
-  void place(int step, std::vector<double> &centers) const {
-    centers.resize(velocities_.size());
-    const int phase = (step + kTurn) % (4 * kTurn);  // 0 at the far end
-    const int steps_off = phase <= 2 * kTurn ? phase - kTurn : 3 * kTurn - phase;
-    for (std::size_t k = 0; k < centers.size(); ++k) centers[k] = start_->centers[k] + steps_off * velocities_[k];
-  }
-
- private:
-  static constexpr int kTurn = 100;
-
-  const app::ParticleSet *start_;
-  std::vector<double> velocities_;
-};
-
 }  // namespace
 
 std::vector<std::string> usable_instruction_sets() {
@@ -137,19 +115,19 @@ Contestant library_steps(const LibrarySetting &setting, double skin, int steps, 
     hg_grid_def def = def_of(setting, set);
     def.skin = skin;
     auto grid = std::make_shared<app::Grid>(def);
-    grid->insert(set);
-    auto motion = std::make_shared<Motion>(set, longest_step);
-    auto centers = std::make_shared<std::vector<double>>();
-    auto step = std::make_shared<int>(0);
     auto searches = std::make_shared<double>(0);
     Search search;
     search.run = [=, &set](PairView &pairs) {
+      measure::Flight flight(set, longest_step);
+      app::check(hg_clear(grid->get()));
+      grid->insert(set);
+      grid->pairs();  // every run begins with candidates that have just been stored
       const auto searched_before = grid->stats().search_count;
       double seconds = 0;
       for (int k = 0; k < steps; ++k) {
-        motion->place(++*step, *centers);
+        flight.step();
         seconds += measure::seconds_of([&] {
-          app::check(hg_move(grid->get(), set.count(), centers->data(), nullptr));
+          app::check(hg_move(grid->get(), set.count(), flight.particles().centers.data(), nullptr));
           const app::Borrowed<hg_pair> found = grid->pairs();
           pairs = {found.data, found.count};
         });
@@ -168,9 +146,9 @@ Contestant library_steps(const LibrarySetting &setting, double skin, int steps, 
 }
 
 app::ParticleSet moved(const app::ParticleSet &set, int steps, double longest_step) {
-  app::ParticleSet result = set;
-  Motion(set, longest_step).place(steps, result.centers);
-  return result;
+  measure::Flight flight(set, longest_step);
+  for (int k = 0; k < steps; ++k) flight.step();
+  return flight.particles();
 }
 
 std::vector<double> cell_sizes_of_paper(const app::ParticleSet &set, int level_count) {

@@ -21,8 +21,8 @@ namespace {
 using Isas = std::vector<std::string>;
 
 constexpr int kMostLevels = 12;
-// Long enough for several searches in a run at any skin, and no multiple of the period of the motion.
-constexpr int kStepsPerRun = 350;
+// Two searches in a run with the largest skin, whose candidates hold for a hundred steps.
+constexpr int kStepsPerRun = 250;
 // Of the smallest radius. In simulations of hard particles a step is a small part of a collision, so this is fast.
 constexpr double kStepLength = 2e-3;
 

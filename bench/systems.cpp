@@ -38,7 +38,7 @@ std::optional<packing::Request> request_of(const std::string &source, int sweeps
   request.law.ratio = number<double>(source, text + ratio + 1, text + count);
   request.count = number<std::size_t>(source, text + count + 1, text + source.size());
   request.sweeps = sweeps;
-  packing::check_request(request);
+  packing::begin_packing(request);  // throws here rather than in the process that makes the packing
   return request;
 }
 
