@@ -17,9 +17,11 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace app {
 namespace {
@@ -30,7 +32,10 @@ struct PackOptions {
   std::optional<int> sweeps;
   std::optional<double> growth_rate;
   std::string law = "uniform-volume";
+  std::string arrangement = "even";
   std::optional<double> ratio;
+  std::optional<int> exponent;
+  std::optional<double> sigma;
   std::optional<double> offset;
   bool random_offset = false;
   std::string periodic;
@@ -39,19 +44,40 @@ struct PackOptions {
 };
 
 constexpr double kUsualRatio = 50;
-constexpr double kUsualRatioOfTwoSizes = 10;
+constexpr double kUsualRatioOfFewSizes = 10;
+
+packing::SizeLaw law_of(const PackOptions &options) {
+  using packing::Law;
+  packing::SizeLaw law = options.request.law;
+  law.law = packing::law_from_name(options.law);
+  if (law.law == Law::kMono) {
+    if (options.ratio.value_or(1) != 1) throw CLI::ValidationError("--ratio", "the law mono has one size only");
+    law.ratio = 1;
+  } else if (law.law == Law::kLogNormal) {
+    if (options.ratio) throw CLI::ValidationError("--ratio", "the law log-normal takes --sigma instead");
+  } else {
+    const bool few_sizes = law.law == Law::kTwoSizes || law.law == Law::kOneGiant;
+    law.ratio = options.ratio.value_or(few_sizes ? kUsualRatioOfFewSizes : kUsualRatio);
+  }
+  if (options.exponent && law.law != Law::kPowerLaw) {
+    throw CLI::ValidationError("--exponent", "only the law power-law has one");
+  }
+  if (options.sigma && law.law != Law::kLogNormal) {
+    throw CLI::ValidationError("--sigma", "only the law log-normal has one");
+  }
+  law.exponent = options.exponent.value_or(law.exponent);
+  law.sigma = options.sigma.value_or(law.sigma);
+  return law;
+}
 
 packing::Request request_of(const PackOptions &options) {
   packing::Request request = options.request;
-  request.law.law = packing::law_from_name(options.law);
-  if (request.law.law == packing::Law::kMono) {
-    if (options.ratio.value_or(1) != 1) throw CLI::ValidationError("--ratio", "the law mono has one size only");
-    request.law.ratio = 1;
-  } else {
-    const bool two_sizes = request.law.law == packing::Law::kTwoSizes;
-    request.law.ratio = options.ratio.value_or(two_sizes ? kUsualRatioOfTwoSizes : kUsualRatio);
+  request.law = law_of(options);
+  request.arrangement = packing::arrangement_from_name(options.arrangement);
+  if (options.method != "relax") {
+    if (options.sweeps) throw CLI::ValidationError("--sweeps", "is for --method relax");
+    if (options.arrangement != "even") throw CLI::ValidationError("--arrangement", "is for --method relax");
   }
-  if (options.sweeps && options.method != "relax") throw CLI::ValidationError("--sweeps", "is for --method relax");
   if (options.growth_rate && options.method != "event") {
     throw CLI::ValidationError("--growth-rate", "is for --method event");
   }
@@ -196,13 +222,23 @@ void run_pack(const PackOptions &options) {
 void add_pack(CLI::App &parent) {
   auto options = std::make_shared<PackOptions>();
   packing::Request &request = options->request;
-  CLI::App *command = parent.add_subcommand("pack", "Make a dense packing of spheres or disks of a size law");
-  command->add_option("--law", options->law, "mono, two-sizes, uniform-size or uniform-volume")
-      ->check(CLI::IsMember({"mono", "two-sizes", "uniform-size", "uniform-volume"}))
+  CLI::App *command = parent.add_subcommand("pack", "Make a packing of spheres or disks of a size law");
+  command->add_option("--law", options->law, "Size law of the radii")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(packing::kLawNames), std::end(packing::kLawNames))))
       ->capture_default_str();
   command->add_option("--count", request.count, "Number of particles")->capture_default_str();
-  command->add_option("--ratio", options->ratio, "Largest over smallest radius; the smallest is 1 (50; two-sizes: 10)");
-  command->add_option("--density", request.density, "Share of the box that the particles fill")->capture_default_str();
+  command->add_option("--ratio", options->ratio,
+                      "Largest over smallest radius; the smallest is 1 (50; two-sizes, one-giant: 10)");
+  command->add_option("--exponent", options->exponent, "power-law: a of p(r) ~ r^-a, 2 to 9 (3)");
+  command->add_option("--sigma", options->sigma, "log-normal: standard deviation of ln r; the median radius is 1 (1)");
+  command->add_option("--arrangement", options->arrangement, "Where particles are thrown")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(std::begin(packing::kArrangementNames), std::end(packing::kArrangementNames))))
+      ->capture_default_str();
+  command
+      ->add_option("--density", request.density,
+                   "Share of the box, or of the part they are thrown into, that the particles fill")
+      ->capture_default_str();
   command->add_option("--seed", request.seed, "Same seed, same packing")->capture_default_str();
   CLI::Option *offset =
       command->add_option("--offset", options->offset,

@@ -62,6 +62,12 @@ void check_request(const Request &request) {
   if (request.sweeps < 0) {
     throw app::Error("the number of sweeps cannot be negative: " + std::to_string(request.sweeps));
   }
+  if (law.exponent < 2 || law.exponent > 9) {
+    throw app::Error("the exponent of a power law is 2 to 9, not " + std::to_string(law.exponent));
+  }
+  if (!(law.sigma > 0) || !(law.sigma <= 3)) {
+    throw app::Error("the deviation sigma lies above 0 and up to 3, not at " + text(law.sigma));
+  }
   if (law.law == Law::kTwoSizes) {
     const std::size_t large = large_count(law, request.count);
     if (large == 0 || large == request.count) {
@@ -78,7 +84,8 @@ Beginning begin_packing(const Request &request) {
   beginning.radii = sample_radii(request.law, request.count, u);
   beginning.container.dimension = request.law.dimension;
   beginning.container.periodic = request.periodic;
-  beginning.container.edge = box_edge(beginning.radii, request.density, request.law.dimension);
+  const double density = request.density * volume_share(request.arrangement, request.law.dimension);
+  beginning.container.edge = box_edge(beginning.radii, density, request.law.dimension);
   check_box(request, beginning.container.edge, beginning.radii.back());
   hgrid_sim::shuffle(beginning.radii, beginning.random);
   return beginning;
@@ -89,7 +96,7 @@ Packing make_packing(const Request &request, const SweepObserver &observe) {
   Packing packing;
   packing.particles = beginning.container.empty_set();
   packing.particles.radii = std::move(beginning.radii);
-  place_at_random(beginning.container, beginning.random, packing.particles);
+  place_at_random(beginning.container, request.arrangement, beginning.random, packing.particles);
   packing.overlaps = relax(beginning.container, request.sweeps, observe, packing.particles);
   return packing;
 }

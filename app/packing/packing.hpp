@@ -5,6 +5,7 @@
 #ifndef APP_PACKING_PACKING_HPP
 #define APP_PACKING_PACKING_HPP
 
+#include "packing/arrangement.hpp"
 #include "packing/relaxation.hpp"
 #include "packing/size_law.hpp"
 #include "sim/random.hpp"
@@ -18,8 +19,9 @@ namespace packing {
 // The defaults are the paper's uniform-volume system.
 struct Request {
   SizeLaw law;
+  Arrangement arrangement = Arrangement::kEven;
   std::size_t count = 125001;
-  double density = 0.62;  // volume (2D: area) of the particles over that of the box
+  double density = 0.62;  // volume (2D: area) of the particles over that of the part of the box they are thrown into
   std::uint64_t seed = 1;
   double offset = 0.5;         // u of the systematic sampling, in [0, 1)
   bool random_offset = false;  // u is drawn from the seed instead

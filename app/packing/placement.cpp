@@ -22,15 +22,6 @@ constexpr double kClassRatio = 2.5;
 constexpr int kMostThrows = 10000;
 constexpr int kClassSweeps = 20;
 
-void throw_center(const Container &container, hgrid_sim::Random &random, double radius, double *center) {
-  for (int k = 0; k < container.dimension; ++k) {
-    const bool periodic = container.periodic[static_cast<std::size_t>(k)];
-    const double low = periodic ? 0 : radius;
-    const double high = periodic ? container.edge : container.edge - radius;
-    center[k] = container.keep(k, low + random.uniform() * (high - low), radius);
-  }
-}
-
 bool inside_a_larger_one(app::Grid &grid, const double *center) {
   const std::int32_t *ids = nullptr;
   std::size_t count = 0;
@@ -39,15 +30,14 @@ bool inside_a_larger_one(app::Grid &grid, const double *center) {
 }
 
 // The members' centres are thrown and they join `placed`, whose centres `larger` holds.
-void place_class(const Container &container, hgrid_sim::Random &random, app::Grid &larger,
-                 const std::vector<double> &radii, app::ParticleSet &placed) {
-  const std::size_t d = static_cast<std::size_t>(container.dimension);
+void place_class(Thrower &thrower, app::Grid &larger, const std::vector<double> &radii, app::ParticleSet &placed) {
+  const std::size_t d = static_cast<std::size_t>(placed.dimension);
   for (const double radius : radii) {
     double center[3];
     int throws = 0;
     do {
       if (++throws > kMostThrows) throw app::Error("no room left for a particle: lower the density");
-      throw_center(container, random, radius, center);
+      thrower(radius, center);
     } while (inside_a_larger_one(larger, center));
     placed.centers.insert(placed.centers.end(), center, center + d);
     placed.radii.push_back(radius);
@@ -56,7 +46,9 @@ void place_class(const Container &container, hgrid_sim::Random &random, app::Gri
 
 }  // namespace
 
-void place_at_random(const Container &container, hgrid_sim::Random &random, app::ParticleSet &set) {
+void place_at_random(const Container &container, Arrangement arrangement, hgrid_sim::Random &random,
+                     app::ParticleSet &set) {
+  Thrower thrower(arrangement, container, random);
   set.centers.assign(set.count() * static_cast<std::size_t>(container.dimension), 0.0);
   std::vector<std::size_t> order(set.count());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -72,7 +64,7 @@ void place_at_random(const Container &container, hgrid_sim::Random &random, app:
     for (auto i = first; i != last; ++i) radii.push_back(set.radii[*i]);
     app::Grid larger(def);
     larger.insert(placed);
-    place_class(container, random, larger, radii, placed);
+    place_class(thrower, larger, radii, placed);
     if (last != order.end()) relax(container, kClassSweeps, nullptr, placed);
     first = last;
   }

@@ -5,6 +5,7 @@
 #ifndef APP_PACKING_PLACEMENT_HPP
 #define APP_PACKING_PLACEMENT_HPP
 
+#include "packing/arrangement.hpp"
 #include "packing/container.hpp"
 #include "sim/random.hpp"
 
@@ -12,7 +13,8 @@ namespace packing {
 
 // Throws the particles of `set` (radii given, box as `container`) at random, large ones first. A centre that falls into
 // a much larger particle is thrown again: relaxation could not bring it out in a few sweeps. All other overlaps stay.
-void place_at_random(const Container &container, hgrid_sim::Random &random, app::ParticleSet &set);
+void place_at_random(const Container &container, Arrangement arrangement, hgrid_sim::Random &random,
+                     app::ParticleSet &set);
 
 }  // namespace packing
 

@@ -4,8 +4,9 @@
 // Radii from a size law and the box edge from a density, by arithmetic that gives the same bits on every machine.
 #include "packing/size_law.hpp"
 
-#include "sim/cube_root.hpp"
+#include "packing/portable_math.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -14,21 +15,22 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-double power(double base, int exponent) {
-  double result = 1;
-  for (int k = 0; k < exponent; ++k) result *= base;
-  return result;
+// F(r) = (1 - r^(1-a)) / (1 - omega^(1-a)), a > 1.
+double inverse_of_power_law(double omega, int a, double f) {
+  return 1 / root(1 - f * (1 - 1 / power(omega, a - 1)), a - 1);
 }
 
 }  // namespace
 
+const char *const kLawNames[7] = {"mono",      "two-sizes",  "uniform-size", "uniform-volume",
+                                  "power-law", "log-normal", "one-giant"};
+
 Law law_from_name(const std::string &name) {
-  if (name == "mono") return Law::kMono;
-  if (name == "two-sizes") return Law::kTwoSizes;
-  if (name == "uniform-size") return Law::kUniformSize;
-  if (name == "uniform-volume") return Law::kUniformVolume;
-  throw std::invalid_argument("no size law is called '" + name +
-                              "': use mono, two-sizes, uniform-size or uniform-volume");
+  const auto *const found = std::find(std::begin(kLawNames), std::end(kLawNames), name);
+  if (found != std::end(kLawNames)) return static_cast<Law>(found - std::begin(kLawNames));
+  std::string known;
+  for (const char *const law : kLawNames) known += std::string(known.empty() ? "" : ", ") + law;
+  throw std::invalid_argument("no size law is called '" + name + "': use one of " + known);
 }
 
 std::size_t large_count(const SizeLaw &law, std::size_t count) {
@@ -42,11 +44,14 @@ double inverse_cdf(const SizeLaw &law, double f) {
     case Law::kUniformSize:
       return 1 + (omega - 1) * f;
     case Law::kUniformVolume:
-      // F(r) = (1 - r^(1-d)) / (1 - omega^(1-d)).
-      if (law.dimension == 2) return 1 / (1 - f * (1 - 1 / omega));
-      return 1 / std::sqrt(1 - f * (1 - 1 / (omega * omega)));
+      return inverse_of_power_law(omega, law.dimension, f);
+    case Law::kPowerLaw:
+      return inverse_of_power_law(omega, law.exponent, f);
+    case Law::kLogNormal:
+      return exponential(law.sigma * normal_quantile(f));
     case Law::kMono:
     case Law::kTwoSizes:
+    case Law::kOneGiant:
       break;
   }
   throw std::invalid_argument("this size law has no density");
@@ -55,8 +60,9 @@ double inverse_cdf(const SizeLaw &law, double f) {
 std::vector<double> sample_radii(const SizeLaw &law, std::size_t count, double u) {
   std::vector<double> radii(count, 1.0);
   if (law.law == Law::kMono) return radii;
-  if (law.law == Law::kTwoSizes) {
-    for (std::size_t i = count - large_count(law, count); i < count; ++i) radii[i] = law.ratio;
+  if (law.law == Law::kTwoSizes || law.law == Law::kOneGiant) {
+    const std::size_t large = law.law == Law::kOneGiant ? 1 : large_count(law, count);
+    std::fill(radii.end() - static_cast<std::ptrdiff_t>(large), radii.end(), law.ratio);
     return radii;
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -69,7 +75,7 @@ double box_edge(const std::vector<double> &radii, double density, int dimension)
   double sum = 0;
   for (const double r : radii) sum += power(r, dimension);
   if (dimension == 2) return std::sqrt(kPi * sum / density);
-  return hgrid_sim::cube_root(4 * kPi / 3 * sum / density);
+  return root(4 * kPi / 3 * sum / density, 3);
 }
 
 }  // namespace packing

@@ -48,6 +48,18 @@ works pack --law two-sizes --count 2000 --dimension 2 --periodic xy --output dis
 works pack --law mono --count 500 --random-offset --output mono.csv
 works pack --law uniform-size --count 500 --ratio 3 --density 0.4 --periodic z --offset 0.9 --output size.csv
 
+works pack --law power-law --exponent 4 --count 500 --ratio 5 --sweeps 5 --output power.csv
+works pack --law log-normal --sigma 0.5 --count 500 --sweeps 5 --output normal.csv
+works pack --law one-giant --count 500 --ratio 5 --sweeps 5 --output giant.csv
+for arrangement in clusters film shell crowded; do
+  works pack --law mono --count 500 --arrangement $arrangement --density 0.2 --sweeps 0 --output $arrangement.csv
+done
+fails 2 "only the law power-law" pack --law mono --exponent 4 --output x.csv
+fails 2 "only the law log-normal" pack --sigma 1 --output x.csv
+fails 2 "takes --sigma" pack --law log-normal --ratio 4 --output x.csv
+fails 1 "2 to 9, not 12" pack --law power-law --exponent 12 --output x.csv
+fails 2 "heap" pack --arrangement heap --output x.csv
+
 # A failing run leaves the file that was there and nothing else.
 cp one.csv kept.csv
 fails 1 "density" pack --density 1.2 --output kept.csv
@@ -83,6 +95,7 @@ works bench one.csv --repeats 2 --most-levels 3 --csv bench.csv
 awk -F, -v pairs="$reported" 'NR > 1 && ($3 <= 0 || $8 < $9 / 3000 || $9 != pairs) { bad = 1 } NR > 1 { ++rows }
   END { exit bad || rows != 4 }' bench.csv || fault "rows of the CSV: $(cat bench.csv)"
 fails 1 "no/such.csv" bench no/such.csv
+
 printf 'x,y,z,r\n' >empty.csv
 fails 1 "no particles" bench empty.csv
 

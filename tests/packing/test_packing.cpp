@@ -115,6 +115,17 @@ void disks_of_all_laws(void **) {
   assert_true(ok);
 }
 
+void spheres_of_other_laws(void **) {
+  bool ok = good_packing(request_of(Law::kPowerLaw, 8, 3));
+  assert_true(ok);
+  packing::Request log_normal = request_of(Law::kLogNormal, 1, 3);
+  log_normal.law.sigma = 0.4;
+  ok = good_packing(log_normal);
+  assert_true(ok);
+  ok = good_packing(request_of(Law::kOneGiant, 8, 3));
+  assert_true(ok);
+}
+
 bool good_periodic_packing(int dimension, std::array<bool, 3> periodic) {
   packing::Request request = request_of(Law::kUniformVolume, 4, dimension);
   request.periodic = periodic;
@@ -252,6 +263,8 @@ bool refuses_nonsense() {
          refuses_after([](Request &r) { r.law.dimension = 4; }, "not 4") &&
          refuses_after([](Request &r) { r.offset = 1; }, "[0, 1)") &&
          refuses_after([](Request &r) { r.sweeps = -1; }, "-1") &&
+         refuses_after([](Request &r) { r.law.exponent = 1; }, "2 to 9, not 1") &&
+         refuses_after([](Request &r) { r.law.sigma = NAN; }, "not at nan") &&
          refuses_after(
              [](Request &r) {
                r.law = {Law::kTwoSizes, 50, 3};
@@ -274,13 +287,10 @@ void nonsense_is_refused(void **) {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(spheres_of_all_laws),
-      cmocka_unit_test(disks_of_all_laws),
-      cmocka_unit_test(periodic_axes),
-      cmocka_unit_test(a_seed_is_a_packing),
-      cmocka_unit_test(packings_stay_what_they_were),
-      cmocka_unit_test(coincident_centers),
-      cmocka_unit_test(a_contact_keeps_the_center_of_mass),
+      cmocka_unit_test(spheres_of_all_laws),   cmocka_unit_test(disks_of_all_laws),
+      cmocka_unit_test(spheres_of_other_laws), cmocka_unit_test(periodic_axes),
+      cmocka_unit_test(a_seed_is_a_packing),   cmocka_unit_test(packings_stay_what_they_were),
+      cmocka_unit_test(coincident_centers),    cmocka_unit_test(a_contact_keeps_the_center_of_mass),
       cmocka_unit_test(nonsense_is_refused),
   };
   return cmocka_run_group_tests_name("packing", tests, nullptr, nullptr);

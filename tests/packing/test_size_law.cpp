@@ -95,6 +95,65 @@ void moments(void **) {
   assert_true(ok);
 }
 
+// p(r) ~ r^-a: <r^n> = (a-1)/(a-1-n) (1 - omega^(n+1-a)) / (1 - omega^(1-a)), with a logarithm at n = a - 1.
+bool moments_of_power_law(int a) {
+  const double omega = 20;
+  const std::vector<double> radii = packing::sample_radii({Law::kPowerLaw, omega, 3, a}, kCount, 0.5);
+  const double norm = (1 - std::pow(omega, 1 - a)) / (a - 1);
+  for (int n = 1; n <= 3; ++n) {
+    const double integral = n == a - 1 ? std::log(omega) : (std::pow(omega, n + 1 - a) - 1) / (n + 1 - a);
+    if (!near("<r^n> of a power law", moment(radii, n), integral / norm, 5e-3)) return false;
+  }
+  return true;
+}
+
+void power_laws(void **) {
+  for (int a = 2; a <= 6; ++a) {
+    const bool ok = moments_of_power_law(a);
+    assert_true(ok);
+  }
+}
+
+bool uniform_volume_is_a_power_law() {
+  return packing::sample_radii({Law::kPowerLaw, 50, 3, 3}, 1000, 0.5) ==
+             packing::sample_radii({Law::kUniformVolume, 50, 3}, 1000, 0.5) &&
+         packing::sample_radii({Law::kPowerLaw, 50, 2, 2}, 1000, 0.5) ==
+             packing::sample_radii({Law::kUniformVolume, 50, 2}, 1000, 0.5);
+}
+
+void a_power_law_of_equal_volumes(void **) {
+  const bool ok = uniform_volume_is_a_power_law();
+  assert_true(ok);
+}
+
+// <r^n> = exp(n^2 sigma^2 / 2); the sample misses the tail beyond 4.5 sigma, which counts for high moments.
+bool moments_of_log_normal(double sigma, double relative) {
+  SizeLaw law{Law::kLogNormal, 1, 3};
+  law.sigma = sigma;
+  const std::vector<double> radii = packing::sample_radii(law, kCount, 0.5);
+  return std::is_sorted(radii.begin(), radii.end()) && near("median", radii[kCount / 2], 1, 1e-12) &&
+         near("<r>", moment(radii, 1), std::exp(sigma * sigma / 2), 1e-4) &&
+         near("<r^2>", moment(radii, 2), std::exp(2 * sigma * sigma), relative) &&
+         near("<r^3>", moment(radii, 3), std::exp(4.5 * sigma * sigma), 20 * relative);
+}
+
+void log_normal(void **) {
+  bool ok = moments_of_log_normal(0.3, 1e-4);
+  assert_true(ok);
+  ok = moments_of_log_normal(1, 6e-3);
+  assert_true(ok);
+}
+
+bool giant_is_one() {
+  const std::vector<double> radii = packing::sample_radii({Law::kOneGiant, 30, 3}, 1000, 0.5);
+  return std::count(radii.begin(), radii.end(), 1.0) == 999 && radii.back() == 30;
+}
+
+void one_giant(void **) {
+  const bool ok = giant_is_one();
+  assert_true(ok);
+}
+
 // Every interval of radii as wide holds as much volume: the name of the law.
 bool volume_is_uniform() {
   const double omega = 10;
@@ -160,6 +219,9 @@ bool refuses_name(const std::string &name) {
 void names(void **) {
   assert_true(packing::law_from_name("uniform-size") == Law::kUniformSize);
   assert_true(packing::law_from_name("two-sizes") == Law::kTwoSizes);
+  assert_true(packing::law_from_name("power-law") == Law::kPowerLaw);
+  assert_true(packing::law_from_name("log-normal") == Law::kLogNormal);
+  assert_true(packing::law_from_name("one-giant") == Law::kOneGiant);
   const bool ok = refuses_name("normal");
   assert_true(ok);
 }
@@ -171,6 +233,10 @@ int main() {
       cmocka_unit_test(largest_sampled_radius),
       cmocka_unit_test(box_edges),
       cmocka_unit_test(moments),
+      cmocka_unit_test(power_laws),
+      cmocka_unit_test(a_power_law_of_equal_volumes),
+      cmocka_unit_test(log_normal),
+      cmocka_unit_test(one_giant),
       cmocka_unit_test(equal_intervals_hold_equal_volume),
       cmocka_unit_test(two_sizes),
       cmocka_unit_test(mono),
