@@ -16,10 +16,10 @@
 namespace hg {
 namespace {
 
-constexpr double kMaxCrowding = 8.0;  // others in a particle's own cell beyond which a widened table does not pay
-constexpr size_t kChunk = 4096;       // radii looked at level by level while they are in cache
-constexpr size_t kLeastPart = 8192;   // particles that are worth a thread
-constexpr size_t kRowTasks = 64;      // pieces into which the rows of a level are cut
+constexpr double kMaxCrowding = 40.0;  // others in a particle's own cell beyond which a widened table does not pay
+constexpr size_t kChunk = 4096;        // radii looked at level by level while they are in cache
+constexpr size_t kLeastPart = 8192;    // particles that are worth a thread
+constexpr size_t kRowTasks = 64;       // pieces into which the rows of a level are cut
 
 template <int D>
 class Builder {

@@ -37,11 +37,13 @@ LevelCells lay_cells(const Frame &frame, int dimension, double cell_size, size_t
   LevelCells level;
   level.widened = kCellLength * cell_size < kLeastCell;
   const double most = std::min(kCellsPerParticle * static_cast<double>(particles) + kFewCells, kMaxCells);
+  const double wanted = total(frame.extent, width, dimension);
+  level.widened = wanted > most;
+  if (level.widened) width[0] *= std::min(wanted / most, kMostStretch);
   for (double cells = total(frame.extent, width, dimension); cells > most;
        cells = total(frame.extent, width, dimension)) {
     const double grow = std::max(std::pow(cells / most, 1.0 / dimension), 1.01);
     for (double &w : width) w *= grow;
-    level.widened = true;
   }
   for (int k = 0; k < 3; k++) {
     const double extent = k < dimension ? frame.extent[k] : 0;

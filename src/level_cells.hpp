@@ -17,6 +17,10 @@ namespace hg {
 inline constexpr double kRowWidth = 2;
 inline constexpr double kCellLength = 0.5;
 
+// Cells are first made longer, up to so many times, then wider as well: longer ones only add candidates at the ends of
+// ranges, wider ones on all sides.
+inline constexpr double kMostStretch = 8;
+
 // A table of cells takes at most this many per particle of its level.
 inline constexpr double kCellsPerParticle = 4;
 inline constexpr double kFewCells = 64;
