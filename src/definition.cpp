@@ -7,23 +7,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
 namespace hg {
 namespace {
 
-constexpr uint32_t kFirstStructSize = sizeof(hg_grid_def);  // of version 0.1, the first
+constexpr uint32_t kFirstStructSize = offsetof(hg_grid_def, level_price);  // of version 0.1, the first
 
-// K of Eq. 7. The paper's value suits its own code, whose tests of candidates are dear beside visits to cells. Ours are
-// cheap, so fewer levels are best; the fit is in docs/performance.md.
-constexpr double kPaperOverhead = 0.3;
-constexpr double kFittedOverhead = 2.2;
+constexpr double kPaperOverhead = 0.3;  // K of Eq. 7
+
+// Of `hgrid calibrate`: docs/decisions/0018-levels-by-cost.md.
+constexpr double kLevelPrice = 4;
+constexpr double kRowPrice = 18;
 
 void check_choice(const char *name, int32_t value, int32_t least, int32_t greatest) {
   if (value < least || value > greatest) {
     fail(HG_ERR_ARGUMENT, "def.%s = %d is not in [%d, %d]", name, static_cast<int>(value), static_cast<int>(least),
          static_cast<int>(greatest));
   }
+}
+
+// A price in units of one test: the caller's, or the library's own where it is negative.
+double check_price(const char *name, double value, double fitted) {
+  if (!std::isfinite(value)) fail(HG_ERR_ARGUMENT, "def.%s = %g is not finite", name, value);
+  return value < 0 ? fitted : value;
 }
 
 void check_length(const char *name, double value) {
@@ -93,7 +101,7 @@ void fill_defaults(hg_grid_def *def, size_t struct_size) {
   defaults.accuracy = HG_EXACT;
   defaults.pair_order = HG_ORDER_GRID;
   defaults.level_rule = HG_LEVELS_AUTO;
-  defaults.cell_overhead = -1;
+  defaults.cell_overhead = defaults.level_price = defaults.row_price = -1;
   std::memcpy(def, &defaults, struct_size);
 }
 
@@ -116,9 +124,6 @@ Definition check_definition(const hg_grid_def &caller) {
   check_choice("reserved1", def.reserved1, 0, 0);
   check_length("margin", def.margin);
   check_length("skin", def.skin);
-  if (std::isnan(def.cell_overhead) || std::isinf(def.cell_overhead)) {
-    fail(HG_ERR_ARGUMENT, "def.cell_overhead = %g is not finite", def.cell_overhead);
-  }
 
   Definition checked;
   checked.dimension = def.dimension;
@@ -130,10 +135,10 @@ Definition check_definition(const hg_grid_def &caller) {
   checked.skin = def.skin;
   checked.domain = check_domain(def);
   check_levels(def, checked);
-  checked.cell_overhead = def.cell_overhead;
-  if (def.cell_overhead < 0) {
-    checked.cell_overhead = def.level_rule == HG_LEVELS_PAPER ? kPaperOverhead : kFittedOverhead;
-  }
+  checked.cell_overhead = check_price("cell_overhead", def.cell_overhead, kPaperOverhead);
+  checked.counts_work = def.level_rule == HG_LEVELS_AUTO && def.cell_overhead < 0;
+  checked.prices.level = check_price("level_price", def.level_price, kLevelPrice);
+  checked.prices.row = check_price("row_price", def.row_price, kRowPrice);
   return checked;
 }
 

@@ -5,6 +5,7 @@
 
 #include "domain.hpp"
 #include "interaction.hpp"
+#include "level_cost.hpp"
 
 #include <hgrid/types.h>
 
@@ -20,7 +21,9 @@ struct Definition {
   int level_count = 0;
   double cell_sizes[HG_MAX_LEVELS] = {};
   double skin = 0;
-  double cell_overhead = 0;  // K, the rule's own filled in
+  double cell_overhead = 0;  // K, where Eq. 7 decides
+  bool counts_work = false;  // `prices` decide instead
+  WorkPrices prices;
   Interaction interaction;
   Domain domain;
 };

@@ -140,7 +140,7 @@ void Grid::build_locked() {
   request.edge = mean_edge(bounds, definition_.dimension);
   request.precision = definition_.level_rule == HG_LEVELS_PAPER ? 0 : kFittedPrecision;
   request.interaction = index_.interaction;
-  plan_ = plan(request);
+  plan_ = plan(request, bounds);
   build_index(index_, scratch_, store_, bounds, plan_, threads_);
   describe_levels(request);
   stats_.build_count++;
@@ -148,7 +148,7 @@ void Grid::build_locked() {
   grown_ = false;
 }
 
-LevelPlan Grid::plan(const LevelRequest &request) {
+LevelPlan Grid::plan(LevelRequest request, const Bounds &bounds) {
   if (definition_.level_rule == HG_LEVELS_USER) {
     LevelPlan levels = user_levels(definition_.cell_sizes, definition_.level_count, definition_.interaction);
     const double skin = request.interaction.margin - definition_.interaction.margin;
@@ -163,6 +163,15 @@ LevelPlan Grid::plan(const LevelRequest &request) {
     classes_.bin_radii(store_.radii(), store_.slots());
   }
   classes_made_ = true;
+  if (!definition_.counts_work || store_.slots() == 0) return plan_levels(classes_, request);
+  const Interaction &interaction = request.interaction;
+  const Frame frame = Frame::over(bounds, definition_.domain, interaction.diameter(bounds.max_radius));
+  // One size leaves no choice that would be worth a sample.
+  const Filling filling = classes_.count() == 1 ? Filling::even(frame.extent, definition_.dimension)
+                                                : Filling::sample(store_, definition_.domain, frame);
+  const LevelCost work(classes_, interaction, frame, definition_.dimension, filling);
+  request.work = &work;
+  request.prices = definition_.prices;
   return plan_levels(classes_, request);
 }
 

@@ -49,7 +49,7 @@ class Grid {
  private:
   void build_locked();
   void find_pairs_locked();
-  LevelPlan plan(const LevelRequest &request);
+  LevelPlan plan(LevelRequest request, const Bounds &bounds);
   void describe_levels(const LevelRequest &request);
   void make_rows_locked(int32_t list);
   // What answers a query of pairs.

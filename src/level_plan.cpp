@@ -10,7 +10,8 @@
 namespace hg {
 namespace {
 
-constexpr int kLeastLooked = 16;  // numbers of levels whose cost is reported at least
+constexpr int kLeastLooked = 16;  // numbers of levels whose cost by Eq. 7 is reported at least
+constexpr int kDearerInARow = 3;  // numbers of levels after which LevelCost is not expected to fall again
 
 class Planner {
  public:
@@ -19,7 +20,7 @@ class Planner {
   // Appendix A for one m: fills levels from the smallest particles up, starting the next level before m_h exceeds m.
   // Returns the number of levels, or HG_MAX_LEVELS + 1 if there would be more. A class is never split, and a level is
   // never empty even if its first class alone exceeds m.
-  int assign(double m, PlannedLevel *levels) const {
+  int assign(double m, PlannedLevel *levels, ClassRange *ranges = nullptr) const {
     int count = 0;
     for (size_t a = 0; a < classes_.count();) {
       if (count == HG_MAX_LEVELS) return HG_MAX_LEVELS + 1;
@@ -27,6 +28,7 @@ class Planner {
       levels[count].radius_limit = classes_.largest_radius(e - 1);
       levels[count].cell_size = request_.interaction.diameter(levels[count].radius_limit);
       levels[count].particles = classes_.particles(a, e - 1);
+      if (ranges != nullptr) ranges[count] = {a, e};
       count++;
       a = e;
     }
@@ -49,13 +51,23 @@ class Planner {
 
   hg_level_cost cost(int level_count, PlannedLevel *levels) const {
     hg_level_cost cost{level_count, 0, 0, 0};
-    if (assign(least_occupancy(level_count), levels) != level_count) return cost;
+    ClassRange ranges[HG_MAX_LEVELS];
+    if (assign(least_occupancy(level_count), levels, ranges) != level_count) return cost;
     cost.reachable = 1;
     for (int h = 0; h < level_count; h++) {
       cost.occupancy = std::max(cost.occupancy, occupancy(levels[h].particles, levels[h].cell_size, request_));
     }
-    cost.cost = level_count * (cost.occupancy + request_.cell_overhead);  // Eq. 7
+    cost.cost = request_.work != nullptr ? request_.prices.of(request_.work->work(ranges, level_count))
+                                         : level_count * (cost.occupancy + request_.cell_overhead);  // Eq. 7
     return cost;
+  }
+
+  // Whether no number of levels from this one on can be, or is likely to be, cheaper than `best`.
+  bool looked_enough(int level_count, double best, int dearer_in_a_row) const {
+    if (request_.work != nullptr) {
+      return dearer_in_a_row >= kDearerInARow || static_cast<size_t>(level_count) > classes_.count();
+    }
+    return level_count > kLeastLooked && level_count * request_.cell_overhead >= best;
   }
 
  private:
@@ -116,14 +128,16 @@ LevelPlan plan_levels(const SizeClasses &classes, const LevelRequest &request) {
   const Planner planner(classes, request);
   PlannedLevel levels[HG_MAX_LEVELS];
   double best = std::numeric_limits<double>::infinity();
+  int dearer = 0;
   const int wanted = request.level_count;
   const int last = wanted > 0 ? wanted : HG_MAX_LEVELS;
   for (int level_count = 1; level_count <= last; level_count++) {
-    // L levels cost at least L K, so from some L on none can be the cheapest.
-    if (wanted == 0 && level_count > kLeastLooked && level_count * request.cell_overhead >= best) break;
+    if (wanted == 0 && planner.looked_enough(level_count, best, dearer)) break;
     const hg_level_cost cost = planner.cost(level_count, levels);
     plan.costs[plan.cost_count++] = cost;
-    if (cost.reachable == 0 || (wanted == 0 && plan.level_count > 0 && cost.cost >= best)) continue;
+    if (cost.reachable == 0) continue;
+    dearer = cost.cost >= best ? dearer + 1 : 0;
+    if (wanted == 0 && plan.level_count > 0 && cost.cost >= best) continue;
     best = cost.cost;
     plan.level_count = level_count;
     std::copy(levels, levels + level_count, plan.levels);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "interaction.hpp"
+#include "level_cost.hpp"
 #include "size_classes.hpp"
 
 #include <hgrid/types.h>
@@ -34,12 +35,14 @@ struct LevelRequest {
   double edge = 0;           // S, with S^d the volume V that the particles fill
   double precision = 0;      // relative, of m(L); 0 = to the last bit
   Interaction interaction;
+  const LevelCost *work = nullptr;  // what levels cost, instead of Eq. 7
+  WorkPrices prices;                // with `work`
 };
 
 // m_h = N_h s_h^d / V: the mean number of particles per cell (the paper's N_h / N_c^h, N_c^h a real number).
 double occupancy(int64_t particles, double cell_size, const LevelRequest &request);
 
-// The levels that make m_h equal (Eq. 6) at the cost L (m + K) (Eq. 7).
+// The levels that make m_h equal (Eq. 6), as many as cost least: L (m + K) (Eq. 7), or what `work` says.
 LevelPlan plan_levels(const SizeClasses &classes, const LevelRequest &request);
 
 // The levels of the caller, s_h = cell_sizes[h].

@@ -85,6 +85,8 @@ module hgrid_c
         real(c_double) :: box_min(3) = 0.0_c_double
         real(c_double) :: box_max(3) = 0.0_c_double
         real(c_double) :: cell_overhead = 0.0_c_double
+        real(c_double) :: level_price = 0.0_c_double
+        real(c_double) :: row_price = 0.0_c_double
     end type hg_grid_def
 
     !> One level of the grid as it stands.

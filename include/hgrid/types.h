@@ -33,7 +33,7 @@ enum {
 
 /* hg_grid_def.level_rule: how the levels' cell sizes are chosen. */
 enum {
-  HG_LEVELS_AUTO = 0,  /* the paper's rule, its cost constant fitted to this library */
+  HG_LEVELS_AUTO = 0,  /* the paper's levels, as many as cost this library least */
   HG_LEVELS_PAPER = 1, /* Ogarko & Luding 2012, Appendix A and Eq. 7 with K = 0.3 */
   HG_LEVELS_USER = 2   /* cell_sizes */
 };
@@ -74,7 +74,11 @@ typedef struct hg_grid_def {
   double box_min[3];        /* periodic axes: the box, needed. Open axes: particles may lie anywhere; a box with */
   double box_max[3];        /* box_max > box_min only states the volume that the choice of levels reckons with (0) */
   double cell_overhead;     /* K of Eq. 7: cost of visiting a cell over cost of testing a particle, >= 0 and finite;
-                               negative = the rule's own: 0.3 for PAPER, fitted for AUTO (-1) */
+                               negative = 0.3 for PAPER; AUTO: reckons with the two prices below instead (-1) */
+  /* AUTO: what work costs, in units of testing one candidate; finite, negative = fitted on several machines' kernels;
+     `hgrid calibrate` measures them. They change the levels and with them the time, never the pairs. */
+  double level_price; /* one more level, per particle (-1) */
+  double row_price;   /* looking at a row of a finer level (-1) */
 } hg_grid_def;
 
 /* One level of the hierarchical grid as it stands, finest first. */
@@ -85,7 +89,9 @@ typedef struct hg_level {
   int64_t particle_count; /* N_h */
 } hg_level;
 
-/* What the level rule expects of L levels (Eq. 7: cost = L (m + K)); one entry for each L looked at, L = 1, 2, ... */
+/* What the level rule expects of L levels, one entry for each L looked at, L = 1, 2, ... The cost is L (m + K) (Eq. 7)
+ * for PAPER, and for AUTO with cell_overhead >= 0. Else it is level_price * L + row_price * rows
+ * + tests, counts per particle that are expected from the sizes and a sample of the places: docs/algorithm.md. */
 typedef struct hg_level_cost {
   int32_t level_count; /* L */
   int32_t reachable;   /* 0 if the sizes cannot be split into L levels (then m and cost are 0), else 1 */

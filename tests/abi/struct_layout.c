@@ -12,7 +12,7 @@
 #define SIZES(X)       \
   X(hg_allocator, 32)  \
   X(hg_pair, 8)        \
-  X(hg_grid_def, 136)  \
+  X(hg_grid_def, 152)  \
   X(hg_level, 32)      \
   X(hg_level_cost, 24) \
   X(hg_grid_stats, 104)
@@ -42,6 +42,8 @@
   X(hg_grid_def, box_min, 80)           \
   X(hg_grid_def, box_max, 104)          \
   X(hg_grid_def, cell_overhead, 128)    \
+  X(hg_grid_def, level_price, 136)      \
+  X(hg_grid_def, row_price, 144)        \
   X(hg_level, cell_size, 0)             \
   X(hg_level, largest_radius, 8)        \
   X(hg_level, occupancy, 16)            \

@@ -107,6 +107,8 @@ contains
         call compare('hg_grid_def%box_min', offset(c_loc(it%box_min), c_loc(it)))
         call compare('hg_grid_def%box_max', offset(c_loc(it%box_max), c_loc(it)))
         call compare('hg_grid_def%cell_overhead', offset(c_loc(it%cell_overhead), c_loc(it)))
+        call compare('hg_grid_def%level_price', offset(c_loc(it%level_price), c_loc(it)))
+        call compare('hg_grid_def%row_price', offset(c_loc(it%row_price), c_loc(it)))
     end subroutine compare_grid_def
 
     subroutine compare_level()

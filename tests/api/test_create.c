@@ -106,6 +106,10 @@ static void lengths_out_of_range(void **state) {
   ACCEPT_MEMBER(cell_overhead, 0);
   ACCEPT_MEMBER(cell_overhead, 0.3);
   ACCEPT_MEMBER(cell_overhead, -7);
+  REFUSE_MEMBER(level_price, not_a_number());
+  REFUSE_MEMBER(row_price, infinity());
+  ACCEPT_MEMBER(level_price, 0);
+  ACCEPT_MEMBER(row_price, 1e308);
 }
 
 static void value_is_in_the_text(void **state) {

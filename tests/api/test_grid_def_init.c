@@ -23,6 +23,8 @@ static void assert_defaults(const hg_grid_def *def) {
   assert_true(def->skin == 0);
   assert_int_equal(0, def->reserved1);
   assert_true(def->cell_overhead < 0);
+  assert_true(def->level_price < 0);
+  assert_true(def->row_price < 0);
   for (k = 0; k < 3; ++k) {
     assert_int_equal(0, def->periodic[k]);
     assert_true(def->box_min[k] == 0);
@@ -52,7 +54,7 @@ static void null_is_refused(void **state) {
 
 /* A caller with a newer header than the library, and one older than version 0.1, get an error and an untouched def. */
 static void other_sizes_are_refused(void **state) {
-  const size_t sizes[] = {0, 4, sizeof(hg_grid_def) - 8, sizeof(hg_grid_def) + 8, SIZE_MAX};
+  const size_t sizes[] = {0, 4, 128, sizeof(hg_grid_def) + 8, SIZE_MAX};
   size_t k, byte;
   (void)state;
   for (k = 0; k < sizeof sizes / sizeof *sizes; ++k) {

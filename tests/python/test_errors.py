@@ -98,6 +98,7 @@ class Failures(unittest.TestCase):
         self.refused(lambda: hgrid.Grid(margin=-0.5), "margin", "-0.5")
         self.refused(lambda: hgrid.Grid(skin=np.nan), "skin", "nan")
         self.refused(lambda: hgrid.Grid(cell_overhead=np.inf), "cell_overhead", "inf")
+        self.refused(lambda: hgrid.Grid(row_price=np.inf), "row_price", "inf")
         self.refused(lambda: hgrid.Grid(periodic=(True, False, False)), "box")
         self.refused(lambda: hgrid.Grid(periodic=(True, False, False), box=box[::-1]), "box")
         self.refused(lambda: hgrid.Grid(interaction="touch"), "interaction", "'touch'", "'contact'", "'max_range'")

@@ -16,7 +16,8 @@ class Options(unittest.TestCase):
     def test_defaults_are_those_of_the_library(self):
         ours = {name: p.default for name, p in inspect.signature(hgrid.Grid).parameters.items()}
         library = capi.hg_grid_def()
-        for name in ("dimension", "thread_count", "index_base", "level_count", "margin", "skin", "cell_overhead"):
+        names = "dimension thread_count index_base level_count margin skin cell_overhead level_price row_price"
+        for name in names.split():
             with self.subTest(name=name):
                 self.assertEqual(ours[name], getattr(library, name))
         words = {
@@ -38,6 +39,8 @@ class Options(unittest.TestCase):
             dict(levels=hgrid.HG_LEVELS_PAPER, level_count=3),
             dict(level_count=1),
             dict(cell_overhead=5.0),
+            dict(level_price=0.0, row_price=0.0),
+            dict(level_price=1e6),
             dict(levels="user", cell_sizes=[0.01, 0.02, 0.3], level_count=3),
             dict(cell_sizes=np.array([0.5])),
             dict(skin=0.01),

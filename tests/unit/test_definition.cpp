@@ -5,6 +5,7 @@
 #include "definition.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace {
@@ -38,7 +39,8 @@ void check_defaults(std::uint64_t) {
   require(checked.accuracy == HG_EXACT && checked.pair_order == HG_ORDER_GRID, "accuracy, pair_order");
   require(checked.interaction.kind == HG_CONTACT && checked.interaction.margin == 0, "interaction");
   require(checked.level_rule == HG_LEVELS_AUTO && checked.level_count == 0, "level_rule");
-  require(checked.cell_overhead > 0, "the fitted K is %g", checked.cell_overhead);
+  require(checked.counts_work, "AUTO reckons with prices");
+  require(checked.prices.level > 0 && checked.prices.row > 0, "fitted prices");
   require(!checked.domain.any_periodic && checked.domain.dimension == 3, "domain");
 }
 
@@ -70,6 +72,30 @@ void check_copies(std::uint64_t) {
   require(checked.domain.box_min[1] == -1 && checked.domain.box_max[1] == 3 && checked.domain.length[1] == 4, "box");
 }
 
+// A caller who was compiled with version 0.1 knows no prices.
+void check_first_size(std::uint64_t) {
+  hg_grid_def def;
+  std::memset(&def, 0x7f, sizeof def);
+  hg::fill_defaults(&def, 136);
+  require(def.struct_size == 136 && def.level_price > 1e300, "memory beyond the caller's struct was written");
+  const Definition checked = check_definition(def), now = check_definition(defaults());
+  require(checked.prices.level == now.prices.level && checked.prices.row == now.prices.row,
+          "prices of an older caller");
+}
+
+void check_prices(std::uint64_t) {
+  hg_grid_def def = defaults();
+  def.level_price = 0;
+  def.row_price = 7;
+  Definition checked = check_definition(def);
+  require(checked.counts_work && checked.prices.level == 0 && checked.prices.row == 7, "the caller's prices");
+  def.cell_overhead = 0;
+  require(!check_definition(def).counts_work, "AUTO with K goes by Eq. 7");
+  def.cell_overhead = -1;
+  def.level_rule = HG_LEVELS_PAPER;
+  require(!check_definition(def).counts_work, "PAPER goes by Eq. 7");
+}
+
 void check_paper_overhead(std::uint64_t) {
   hg_grid_def def = defaults();
   def.level_rule = HG_LEVELS_PAPER;
@@ -80,7 +106,7 @@ void check_paper_overhead(std::uint64_t) {
 
 void check_struct_size(std::uint64_t) {
   hg_grid_def def;
-  require_refused("too small", HG_ERR_ARGUMENT, "struct_size", [&] { hg::fill_defaults(&def, sizeof def - 1); });
+  require_refused("too small", HG_ERR_ARGUMENT, "struct_size", [&] { hg::fill_defaults(&def, 135); });
   require_refused("too large", HG_ERR_ARGUMENT, "struct_size", [&] { hg::fill_defaults(&def, sizeof def + 8); });
   refused(HG_ERR_ARGUMENT, "def.struct_size = 0", [](hg_grid_def &d) { d.struct_size = 0; });
   refused(HG_ERR_ARGUMENT, "def.struct_size", [](hg_grid_def &d) { d.struct_size += 8; });
@@ -109,6 +135,8 @@ void check_lengths(std::uint64_t) {
   }
   refused(HG_ERR_ARGUMENT, "def.margin = -1", [](hg_grid_def &d) { d.margin = -1; });
   refused(HG_ERR_ARGUMENT, "def.cell_overhead = nan", [](hg_grid_def &d) { d.cell_overhead = kNaN; });
+  refused(HG_ERR_ARGUMENT, "def.level_price = nan", [](hg_grid_def &d) { d.level_price = kNaN; });
+  refused(HG_ERR_ARGUMENT, "def.row_price = -inf", [](hg_grid_def &d) { d.row_price = -kInfinity; });
   refused(HG_ERR_ARGUMENT, "def.cell_overhead = inf", [](hg_grid_def &d) { d.cell_overhead = kInfinity; });
 }
 
@@ -147,6 +175,8 @@ void check_cell_sizes(std::uint64_t) {
 void defaults_hold(void **) { assert_true(holds(0, check_defaults)); }
 void members_are_copied(void **) { assert_true(holds(0, check_copies)); }
 void paper_overhead(void **) { assert_true(holds(0, check_paper_overhead)); }
+void first_size(void **) { assert_true(holds(0, check_first_size)); }
+void prices(void **) { assert_true(holds(0, check_prices)); }
 void struct_size(void **) { assert_true(holds(0, check_struct_size)); }
 void choices(void **) { assert_true(holds(0, check_choices)); }
 void lengths(void **) { assert_true(holds(0, check_lengths)); }
@@ -159,6 +189,7 @@ int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(defaults_hold),  cmocka_unit_test(members_are_copied),
       cmocka_unit_test(paper_overhead), cmocka_unit_test(struct_size),
+      cmocka_unit_test(first_size),     cmocka_unit_test(prices),
       cmocka_unit_test(choices),        cmocka_unit_test(lengths),
       cmocka_unit_test(boxes),          cmocka_unit_test(cell_sizes),
   };

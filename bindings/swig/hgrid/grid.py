@@ -59,7 +59,10 @@ class Grid:
     cell_sizes: for levels='user': ascending cell edges, the last at least the largest diameter plus margin.
     margin: added to every reach, in your unit of length.
     skin: how far particles may move before stored candidates are searched anew; it changes the time, never the answer.
-    cell_overhead: cost of visiting a cell over the cost of testing a particle; negative for the rule's own.
+    cell_overhead: cost of visiting a cell over the cost of testing a particle, for 'paper' and, if it is not negative,
+        for 'auto'.
+    level_price, row_price: what a level and a look at a row of cells cost 'auto', in units of testing one candidate;
+        negative for the library's own. They change the time, never the answer.
 
     Instead of the words the constants HG_... may be given. Ids count from index_base in the order of insertion and are
     not given out again before clear(). The comparison is strict: particles that just touch are no pair.
@@ -90,6 +93,8 @@ class Grid:
         margin=0.0,
         skin=0.0,
         cell_overhead=-1.0,
+        level_price=-1.0,
+        row_price=-1.0,
     ):
         """Creates an empty grid; the arguments are explained at the class."""
         self._lock = threading.RLock()
@@ -112,6 +117,8 @@ class Grid:
         definition.margin = float(margin)
         definition.skin = float(skin)
         definition.cell_overhead = float(cell_overhead)
+        definition.level_price = float(level_price)
+        definition.row_price = float(row_price)
         _set_box(definition, self._dimension, periodic, box)
         sizes = arrays.reals([] if cell_sizes is None else cell_sizes, "cell_sizes", ("level_count",))
         if sizes.size > 0 and definition.level_rule != capi.HG_LEVELS_USER:
