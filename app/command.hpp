@@ -18,6 +18,7 @@ void add_pairs(CLI::App &parent);
 void add_levels(CLI::App &parent);
 void add_pack(CLI::App &parent);
 void add_bench(CLI::App &parent);
+void add_calibrate(CLI::App &parent);
 void add_slice(CLI::App &parent);
 
 }  // namespace app

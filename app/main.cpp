@@ -47,6 +47,7 @@ void describe(CLI::App &parser) {
   app::add_levels(parser);
   app::add_pack(parser);
   app::add_bench(parser);
+  app::add_calibrate(parser);
   app::add_slice(parser);
 }
 

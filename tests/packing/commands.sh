@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-# hgrid pack, slice and bench as a user calls them: commands.sh HGRID.
+# hgrid pack, slice, bench and calibrate as a user calls them: commands.sh HGRID.
 set -u
 hgrid=$1
 folder=$(mktemp -d)
@@ -96,8 +96,12 @@ awk -F, -v pairs="$reported" 'NR > 1 && ($3 <= 0 || $8 < $9 / 3000 || $9 != pair
   END { exit bad || rows != 4 }' bench.csv || fault "rows of the CSV: $(cat bench.csv)"
 fails 1 "no/such.csv" bench no/such.csv
 
+works calibrate one.csv other.csv --repeats 2 --most-levels 3
+grep -q '^prices, in hg_grid_def: level_price = ' out.txt || fault "no prices: $(cat out.txt)"
+fails 1 "no/such.csv" calibrate no/such.csv
 printf 'x,y,z,r\n' >empty.csv
 fails 1 "no particles" bench empty.csv
+fails 1 "no particles" calibrate empty.csv
 
 [ "$failures" = 0 ] || exit 1
-echo "pack, slice and bench do what they say"
+echo "pack, slice, bench and calibrate do what they say"
