@@ -38,6 +38,8 @@ hg_grid_def grid_def(const GridOptions &options, const ParticleSet &particles, c
     def.cell_sizes = cell_sizes.data();
   }
   def.cell_overhead = options.cell_overhead;
+  def.level_price = options.level_price;
+  def.row_price = options.row_price;
   def.thread_count = options.threads;
   if (particles.has_box) {
     std::copy_n(particles.box_min, 3, def.box_min);
@@ -48,6 +50,16 @@ hg_grid_def grid_def(const GridOptions &options, const ParticleSet &particles, c
 }
 
 }  // namespace
+
+void add_price_options(CLI::App &command, double &level_price, double &row_price, const std::string &group,
+                       CLI::Option *instead) {
+  auto *level = command.add_option("--level-price", level_price, "Cost of a level per particle, in tests (fitted)");
+  auto *row = command.add_option("--row-price", row_price, "Cost of looking at a row of cells, in tests (fitted)");
+  for (CLI::Option *price : {level, row}) {
+    price->check(not_negative())->group(group);
+    if (instead != nullptr) price->excludes(instead);
+  }
+}
 
 void add_grid_options(CLI::App &command, GridOptions &options) {
   const char *const group = "Search";
@@ -75,9 +87,10 @@ void add_grid_options(CLI::App &command, GridOptions &options) {
       ->group(group)
       ->excludes(levels)
       ->excludes(count);
-  command.add_option("--cell-overhead", options.cell_overhead, "K of the cost L (m + K); the rule's own if not given")
-      ->check(not_negative())
-      ->group(group);
+  auto *overhead = command.add_option("--cell-overhead", options.cell_overhead, "Choose by the cost L (m + K), this K")
+                       ->check(not_negative())
+                       ->group(group);
+  add_price_options(command, options.level_price, options.row_price, group, overhead);
   command.add_option("--threads", options.threads, "Threads; 0: all that the machine offers")
       ->capture_default_str()
       ->check(CLI::Range(0, kMostThreads))

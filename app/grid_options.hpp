@@ -14,7 +14,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace app {
 
@@ -26,14 +27,22 @@ struct GridOptions {
   std::string levels = "auto";     // auto, paper
   int level_count = 0;             // 0: the cheapest
   std::string cell_sizes;          // ascending, with commas; set: `levels` does not count
-  double cell_overhead = -1;       // K of Eq. 7; negative: the rule's own
-  int index_base = 0;              // the id of the first particle
-  int threads = 0;                 // 0: all
+  double cell_overhead = -1;       // K of Eq. 7; negative: the paper's, or for auto prices instead
+  double level_price = -1;         // of hg_grid_def; negative: the library's own
+  double row_price = -1;
+  int index_base = 0;  // the id of the first particle
+  int threads = 0;     // 0: all
 };
 
-// Adds --margin, --max-range, --accuracy, --order, --levels, --level-count, --cell-sizes, --cell-overhead, --threads.
+// Adds --margin, --max-range, --accuracy, --order, --levels, --level-count, --cell-sizes, --cell-overhead,
+// --level-price,
+// --row-price, --threads.
 // `options` must outlive the parse.
 void add_grid_options(CLI::App &command, GridOptions &options);
+
+// Adds --level-price and --row-price, the prices of `hgrid calibrate`, which do not go with `instead`.
+void add_price_options(CLI::App &command, double &level_price, double &row_price, const std::string &group,
+                       CLI::Option *instead);
 
 // A grid for these particles as the options say; dimension, box and periodic axes are theirs. `file` is named where the
 // library refuses them.

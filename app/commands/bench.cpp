@@ -5,6 +5,7 @@
 // steps.
 #include "bench_steps.hpp"
 #include "command.hpp"
+#include "grid_options.hpp"
 #include "measure/search_timer.hpp"
 #include "output.hpp"
 #include "particle_options.hpp"
@@ -27,6 +28,7 @@ struct BenchOptions {
   int threads = 1;
   double seconds = 2;
   std::string accuracy = "exact";
+  double level_price = -1, row_price = -1;  // negative: the library's own
   std::string csv;
   StepOptions steps;
 };
@@ -48,6 +50,8 @@ hg_grid_def grid_def(const BenchOptions &options, const ParticleSet &particles, 
   def.level_rule = rule;
   def.level_count = level_count;
   def.thread_count = options.threads;
+  def.level_price = options.level_price;
+  def.row_price = options.row_price;
   if (options.accuracy == "double") def.accuracy = HG_DOUBLE;
   if (options.accuracy == "float") def.accuracy = HG_FLOAT;
   return def;
@@ -142,8 +146,9 @@ void run_bench(const BenchOptions &options) {
               options.particles.file.c_str(), particles.count(),
               options.threads == 0 ? "all" : std::to_string(options.threads).c_str());
   std::printf(
-      "paper, fitted: predicted cost L (m + K) with K = 0.3 and with the library's K, in units of one test;\n"
-      "a missing L cannot be reached\n\n");
+      "paper: predicted cost L (m + K) with K = 0.3; fitted: that of the prices of levels, rows and tests, by which "
+      "the\n"
+      "library chooses; both in units of one test. A missing L cannot be reached\n\n");
   std::printf("%-8s %6s %12s %12s %5s %10s %10s %12s %12s\n", "", "levels", "ns/particle", "fastest", "runs", "paper",
               "fitted", "candidates", "pairs");
   std::vector<Result> results;
@@ -181,6 +186,7 @@ void add_bench(CLI::App &parent) {
   command->add_option("--displacement", options->steps.displacement, "How far the fastest particle moves in a step")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  add_price_options(*command, options->level_price, options->row_price, "", nullptr);
   command->add_option("--csv", options->csv, "Also write the table to this file");
   command->callback([options] { run_bench(*options); });
 }

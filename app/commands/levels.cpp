@@ -61,12 +61,12 @@ void print_levels(Output &out, const Borrowed<hg_level> &levels) {
           static_cast<long long>(level.particle_count), level.occupancy);
 }
 
-void print_costs(Output &out, const Borrowed<hg_level_cost> &costs, std::size_t chosen) {
+void print_costs(Output &out, const Borrowed<hg_level_cost> &costs, std::size_t chosen, bool eq_7) {
   if (costs.count == 0) {
     out << "\nThe cell sizes were given: no other levels were looked at.\n";
     return;
   }
-  out << "\n  levels L  particles per cell m  cost L (m + K)\n";
+  print(out, "\n  levels L  particles per cell m  %14s\n", eq_7 ? "cost L (m + K)" : "cost");
   for (const hg_level_cost &cost : costs) {
     if (cost.reachable == 0)
       print(out, "  %8d  cannot be reached with these sizes\n", cost.level_count);
@@ -74,7 +74,10 @@ void print_costs(Output &out, const Borrowed<hg_level_cost> &costs, std::size_t 
       print(out, "  %8d  %20.4g  %14.6g%s\n", cost.level_count, cost.occupancy, cost.cost,
             static_cast<std::size_t>(cost.level_count) == chosen ? "  <- chosen" : "");
   }
-  out << "Cost: work for one particle, in units of testing one pair.\n";
+  out << "Cost: work for one particle, in units of testing one pair";
+  out << (eq_7 ? ", after Eq. 7 of the paper.\n"
+               : ": tests, and the prices (hgrid calibrate) of the levels\nand of the rows of finer levels looked at, "
+                 "expected from the sizes and a sample of the places.\n");
 }
 
 void print_statistics(Output &out, const hg_grid_stats &stats) {
@@ -113,7 +116,7 @@ void run(const LevelsOptions &options) {
   } else {
     print_sizes(out, particles);
     print_levels(out, levels);
-    print_costs(out, costs, levels.count);
+    print_costs(out, costs, levels.count, options.grid.levels == "paper" || options.grid.cell_overhead >= 0);
     print_statistics(out, grid.stats());
   }
   out.close();
