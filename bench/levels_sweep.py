@@ -15,11 +15,11 @@ RELAXED = ["--sweeps", "30"]
 # Particles thrown onto each other overlap more than any packing; less dense ones have contacts in usual numbers.
 THROWN = ["--sweeps", "0", "--density", "0.2"]
 SYSTEMS = {
-    "mono": ["--law", "mono", *RELAXED],
-    "two-sizes-10": ["--law", "two-sizes", *RELAXED],
-    "uniform-size-50": ["--law", "uniform-size", *RELAXED],
-    "uniform-volume-10": ["--law", "uniform-volume", "--ratio", "10", *RELAXED],
-    "uniform-volume-50": ["--law", "uniform-volume", *RELAXED],
+    "mono": ["--law", "mono"],
+    "two-sizes-10": ["--law", "two-sizes"],
+    "uniform-size-50": ["--law", "uniform-size"],
+    "uniform-volume-10": ["--law", "uniform-volume", "--ratio", "10"],
+    "uniform-volume-50": ["--law", "uniform-volume"],
     "log-normal-0.3": ["--law", "log-normal", "--sigma", "0.3", *RELAXED],
     "log-normal-1": ["--law", "log-normal", "--sigma", "1", *RELAXED],
     "power-law-2": ["--law", "power-law", "--exponent", "2", *RELAXED],

@@ -63,6 +63,27 @@ void check_any(std::uint64_t seed) {
   require_layout(any_layout(rng));
 }
 
+// A table that is too large by less than the most stretch keeps its row width; a larger one keeps the stretch.
+void check_stretch(std::uint64_t) {
+  Layout in;
+  in.frame.extent[0] = in.frame.extent[1] = in.frame.extent[2] = 0x1p30;
+  in.cell_size = 0x1p22;  // 256 cells along an edge, 128^2 * 512 cells in all
+  const double cells = 128.0 * 128 * 512, row = hg::kRowWidth * in.cell_size, cell = hg::kCellLength * in.cell_size;
+  for (double excess : {0.5, 1.0, 3.0, 7.9, 64.0}) {
+    in.particles = static_cast<size_t>(cells / excess / hg::kCellsPerParticle);
+    const LevelCells laid = hg::lay_cells(in.frame, 3, in.cell_size, in.particles);
+    const double wide = static_cast<double>(laid.table.width[1]) / row;
+    const double longer = static_cast<double>(laid.table.width[0]) / cell;
+    require(laid.widened == (excess > 1), "excess %g: widened %d", excess, laid.widened);
+    require(excess > 8 || (wide == 1 && longer < excess * 1.1 + 0.6), "excess %g: rows %g, cells %g", excess, wide,
+            longer);
+    require(excess <= 8 || (wide > 1.9 && wide < 2.3 && longer > 15 && longer < 18), "excess %g: rows %g, cells %g",
+            excess, wide, longer);
+  }
+}
+
+void stretch(void **) { assert_true(holds(0, check_stretch)); }
+
 void any_layouts(void **) { assert_true(sweep(20000, check_any)); }
 
 void check_degenerate(std::uint64_t) {
@@ -103,6 +124,7 @@ void widths(void **) { assert_true(holds(0, check_widths)); }
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(any_layouts), cmocka_unit_test(degenerate), cmocka_unit_test(widths)};
+  const CMUnitTest tests[] = {cmocka_unit_test(stretch), cmocka_unit_test(any_layouts), cmocka_unit_test(degenerate),
+                              cmocka_unit_test(widths)};
   return cmocka_run_group_tests_name("level_cells", tests, nullptr, nullptr);
 }
