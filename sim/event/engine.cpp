@@ -80,10 +80,10 @@ EpochEnd Engine::run(const Epoch &epoch, const std::function<bool()> &poll) {
   begin(epoch);
   const EpochEnd end = loop(epoch, poll);
   EpochCounts counts;
-  counts.collisions = tally_.collisions - before.collisions;
-  counts.renewals = tally_.renewals - before.renewals;
-  counts.partners = static_cast<double>(hulls_.partner_sum()) / static_cast<double>(state_.count());
-  counts.outer_partners = static_cast<double>(hulls_.outer_sum()) / static_cast<double>(state_.count());
+  counts.collisions = static_cast<double>(tally_.collisions - before.collisions);
+  counts.predictions = static_cast<double>(tally_.predictions - before.predictions);
+  counts.candidates = static_cast<double>(tally_.candidates - before.candidates);
+  counts.outer_pairs = static_cast<double>(hulls_.outer_sum());
   counts.ended_by_hulls = end == EpochEnd::kHulls;
   counts.few_strays = hulls_.stray_count() < most_strays_ / 4;
   skins_.learn(counts, state_.count());
@@ -270,7 +270,7 @@ void Engine::renew_hull(std::int32_t i) {
   Particle &particle = particles_[index(i)];
   advance(particle);
   const double radius = scale() * particle.radius;
-  hulls_.renew(i, {particle.center, radius}, skins_.inner(radius, growth_ * particle.radius));
+  tally_.candidates += hulls_.renew(i, {particle.center, radius}, skins_.inner(radius, growth_ * particle.radius));
   ++tally_.renewals;
   predict(i);
 }

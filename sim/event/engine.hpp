@@ -35,6 +35,7 @@ struct Tally {
   std::uint64_t renewals = 0;     // of hulls
   std::uint64_t stale = 0;        // events found outdated and predicted anew
   std::uint64_t predictions = 0;  // of the meeting of two particles
+  std::uint64_t candidates = 0;   // hulls tested in renewals
   std::uint64_t rebuilds = 0;     // of all hulls
   double time = 0;
   double virial = 0;        // sum over collisions of impulse times distance of centres

@@ -18,9 +18,8 @@ namespace hgrid_sim::event {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-// <r> growing at 1 % of the thermal speed leaves the fluid time to relax.
-constexpr double kUsualRate = 0.01;
-constexpr double kFastest = 10;                   // growth in the dilute phase over that at the end
+// Growth of <r> over the thermal speed: what leaves a dense fluid time to relax, and what a dilute one bears.
+constexpr double kUsualRate = 0.01, kFastestRate = 0.1;
 constexpr double kLongestStep = 0.02;             // of the scale, before the rate is chosen anew
 constexpr std::uint64_t kCollisionsPerEpoch = 5;  // over the number of particles
 constexpr double kHottest = 1.5;                  // kinetic energy over that at the start
@@ -98,7 +97,7 @@ class Growth {
   // every step of density as many collisions.
   double rate_at(double scale) const {
     const double ratio = fluid_.compressibility(target_) / fluid_.compressibility(density(scale));
-    return rate_ * std::min(kFastest, ratio);
+    return std::min(rate_ * ratio, std::max(rate_, kFastestRate / fluid_.mean_radius()));
   }
 
   // Collisions, and with them work, up to each scale.
@@ -123,9 +122,15 @@ class Growth {
     restart_.radii = reordered(restart_.radii, order_);
   }
 
+  // What the pressure is measured from.
+  struct Window {
+    std::uint64_t collisions = 0;
+    double virial = 0, energy_time = 0;
+  };
+
   GrowthEnd attempt();
   bool poll();
-  bool jammed(EpochEnd end, const Tally &before, double energy);
+  bool jammed(EpochEnd end, const Tally &before, double energy_before);
   GrowthResult result(GrowthEnd end);
 
   Box box_;
@@ -139,6 +144,7 @@ class Growth {
   std::unique_ptr<Engine> engine_;
   Tally earlier_;  // of former tries
   GrowthProgress progress_;
+  Window window_;
   int retries_ = 0;
 };
 
@@ -148,6 +154,7 @@ void add(Tally &sum, const Tally &more) {
   sum.renewals += more.renewals;
   sum.stale += more.stale;
   sum.predictions += more.predictions;
+  sum.candidates += more.candidates;
   sum.rebuilds += more.rebuilds;
   sum.time += more.time;
   sum.virial += more.virial;
@@ -167,11 +174,16 @@ bool Growth::poll() {
   return observe_(progress_);
 }
 
-bool Growth::jammed(EpochEnd end, const Tally &before, double energy) {
-  const Tally &after = engine_->tally();
-  const double time = after.time - before.time;
+// Judges the pressure whenever there have been enough collisions for it: an epoch may be too short.
+bool Growth::jammed(EpochEnd end, const Tally &before, double energy_before) {
   if (end == EpochEnd::kStalled) return true;
-  if (time > 0) progress_.compressibility = 1 + (after.virial - before.virial) / (2 * energy * time);
+  const Tally &after = engine_->tally();
+  window_.collisions += after.collisions - before.collisions;
+  window_.virial += after.virial - before.virial;
+  window_.energy_time += (after.time - before.time) * (energy_before + engine_->state().kinetic_energy()) / 2;
+  if (window_.collisions < request_.radii.size()) return false;
+  progress_.compressibility = 1 + window_.virial / (2 * window_.energy_time);
+  window_ = {};
   return progress_.compressibility > kJammedPressure;
 }
 
@@ -179,11 +191,15 @@ bool Growth::jammed(EpochEnd end, const Tally &before, double energy) {
 GrowthEnd Growth::attempt() {
   if (engine_) add(earlier_, engine_->tally());
   engine_ = std::make_unique<Engine>(box_, restart_);
+  window_ = {};
   const double last_scale = 1 + kSpare;
   bool restart_is_set = density(restart_.scale) >= kRetryDensity;
   while (engine_->state().scale < last_scale) {
-    const double energy = engine_->state().kinetic_energy();
-    if (energy > kHottest * energy_) engine_->scale_velocities(std::sqrt(energy_ / energy));
+    double energy = engine_->state().kinetic_energy();
+    if (energy > kHottest * energy_) {
+      engine_->scale_velocities(std::sqrt(energy_ / energy));
+      energy = energy_;
+    }
     const double scale = engine_->state().scale;
     if (!restart_is_set && density(scale) >= kRetryDensity) {
       restart_ = engine_->state();
@@ -197,7 +213,7 @@ GrowthEnd Growth::attempt() {
     const Tally before = engine_->tally();
     const EpochEnd end = engine_->run(epoch, [this] { return poll(); });
     if (end == EpochEnd::kStopped) return GrowthEnd::kStopped;
-    if (jammed(end, before, std::min(energy, kHottest * energy_))) return GrowthEnd::kJammed;
+    if (jammed(end, before, energy)) return GrowthEnd::kJammed;
     if (end == EpochEnd::kTime && epoch.longest < kLongestStep / epoch.growth) break;  // the last step, rounded
   }
   return GrowthEnd::kDone;

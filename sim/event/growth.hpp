@@ -28,7 +28,7 @@ struct GrowthRequest {
 struct GrowthProgress {
   double density = 0;
   double share_done = 0;       // of the work, as estimated from the fluid's pressure
-  double compressibility = 0;  // p V / (N kT) in the last epoch
+  double compressibility = 1;  // p V / (N kT), as measured last
   int retries = 0;
   const Tally *tally = nullptr;
 };
@@ -45,7 +45,7 @@ struct GrowthResult {
   double density = 0;
   double rate = 0;  // of the last try
   int retries = 0;
-  double compressibility = 0;
+  double compressibility = 1;
   Tally tally;  // of all tries
 };
 

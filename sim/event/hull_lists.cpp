@@ -71,12 +71,6 @@ void HullLists::fill_rows() {
   }
 }
 
-std::size_t HullLists::partner_sum() const {
-  std::size_t sum = 0;
-  for (const Slot &slot : slots_) sum += slot.count;
-  return sum;
-}
-
 // Sets the inner hull. False if the particle has just become a stray or was one before.
 bool HullLists::fit_in_outer(std::int32_t particle, const Sphere &sphere, double skin) {
   Sphere &hull = inner_[index(particle)];
@@ -114,7 +108,7 @@ void HullLists::visit_candidates(std::int32_t particle, Visit visit) {
   }
 }
 
-void HullLists::renew(std::int32_t particle, const Sphere &sphere, double skin) {
+std::size_t HullLists::renew(std::int32_t particle, const Sphere &sphere, double skin) {
   fit_in_outer(particle, sphere, skin);
   mark_ += 2;
   const Row before = partners(particle);
@@ -122,7 +116,9 @@ void HullLists::renew(std::int32_t particle, const Sphere &sphere, double skin) 
   for (const std::int32_t j : old_) marks_[index(j)] = mark_;
   slots_[index(particle)].count = 0;
   const Sphere hull = inner_[index(particle)];
+  std::size_t tested = 0;
   visit_candidates(particle, [&](std::int32_t j) {
+    ++tested;
     std::uint32_t &mark = marks_[index(j)];
     if (mark == mark_ + 1 || !overlap(hull, inner_[index(j)])) return;
     if (mark != mark_) append(j, particle);
@@ -132,6 +128,7 @@ void HullLists::renew(std::int32_t particle, const Sphere &sphere, double skin) 
   for (const std::int32_t j : old_) {
     if (marks_[index(j)] == mark_) erase(j, particle);
   }
+  return tested;
 }
 
 void HullLists::append(std::int32_t row, std::int32_t particle) {

@@ -46,7 +46,8 @@ class HullLists {
   void rebuild(const std::vector<Sphere> &spheres, const std::vector<double> &inner, const std::vector<double> &outer);
 
   // Gives one particle, now at `sphere`, a new inner hull with this skin, less if that keeps it within its outer hull.
-  void renew(std::int32_t particle, const Sphere &sphere, double skin);
+  // Returns the number of hulls it was tested against.
+  std::size_t renew(std::int32_t particle, const Sphere &sphere, double skin);
 
   const Sphere &hull(std::int32_t particle) const { return inner_[index(particle)]; }
   Row partners(std::int32_t particle) const {
@@ -55,8 +56,7 @@ class HullLists {
   }
   std::size_t stray_count() const { return strays_.size(); }
 
-  // Sums of the lengths of all lists of partners and of outer partners, both particles of a pair counted.
-  std::size_t partner_sum() const;
+  // The sum of the lengths of all lists of outer partners: twice the pairs.
   std::size_t outer_sum() const { return static_cast<std::size_t>(offsets_[inner_.size()]); }
 
  private:

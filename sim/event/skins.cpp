@@ -17,12 +17,12 @@ namespace {
 
 // Skins to begin with, in mean distances of particles.
 constexpr double kFirstInner = 0.45, kFirstOuter = 1;
-// Wanted renewals per collision, and the lengths of lists that are worth it.
-constexpr double kFewRenewals = 0.1, kManyRenewals = 0.25;
-constexpr double kLongList = 30, kTooLongList = 45;
-constexpr double kLongOuterList = 120;
-// An epoch should last this many collisions per particle before hulls end it.
+// A wide skin makes predictions dear, a narrow one renewals: candidates tested over predictions made, about even work.
+constexpr double kNarrow = 0.5, kWide = 0.25;
+// An epoch should last long enough that building lists of outer hulls is a small part of its predictions, and until so
+// many collisions per particle.
 constexpr double kShortEpoch = 4;
+constexpr double kLongOuterList = 120;  // per particle
 constexpr double kStep = 1.15;
 constexpr double kLeastRatio = 1.5;  // of outer to inner skin
 constexpr double kLeastRoom = 1e-3;  // skin over radius below which hulls would be renewed without end
@@ -51,14 +51,14 @@ double Skins::capped(double radius, double skin) const {
 }
 
 void Skins::learn(const EpochCounts &counts, std::size_t count) {
-  const double collisions = static_cast<double>(counts.collisions), renewals = static_cast<double>(counts.renewals);
-  if (counts.partners > kTooLongList || renewals < kFewRenewals * collisions) {
-    inner_ /= kStep;
-  } else if (renewals > kManyRenewals * collisions && counts.partners < kLongList) {
+  const double n = static_cast<double>(count);
+  if (counts.candidates > kNarrow * counts.predictions) {
     inner_ *= kStep;
+  } else if (counts.candidates < kWide * counts.predictions) {
+    inner_ /= kStep;
   }
-  const bool too_short = 2 * collisions < kShortEpoch * static_cast<double>(count);
-  if (counts.outer_partners > kLongOuterList || (!counts.ended_by_hulls && counts.few_strays)) {
+  const bool too_short = 2 * counts.collisions < kShortEpoch * n;
+  if (counts.outer_pairs > kLongOuterList * n || (!counts.ended_by_hulls && counts.few_strays)) {
     outer_ /= kStep;
   } else if (counts.ended_by_hulls && too_short) {
     outer_ *= kStep;

@@ -15,9 +15,10 @@ namespace hgrid_sim::event {
 
 // What an epoch counted.
 struct EpochCounts {
-  std::uint64_t collisions = 0, renewals = 0;
-  double partners = 0;        // mean length of a list of partners
-  double outer_partners = 0;  // the same of outer hulls
+  double collisions = 0;
+  double predictions = 0;  // of meetings
+  double candidates = 0;   // hulls tested when hulls were renewed
+  double outer_pairs = 0;  // overlapping outer hulls, counted from both sides
   bool ended_by_hulls = false;
   bool few_strays = false;
 };

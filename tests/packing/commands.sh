@@ -59,6 +59,29 @@ fails 2 "only the law log-normal" pack --sigma 1 --output x.csv
 fails 2 "takes --sigma" pack --law log-normal --ratio 4 --output x.csv
 fails 1 "2 to 9, not 12" pack --law power-law --exponent 12 --output x.csv
 fails 2 "heap" pack --arrangement heap --output x.csv
+# Grown packings: no overlap, whatever the axes; the same seed, the same bytes.
+grown=(pack --method event --law two-sizes --ratio 3 --count 1500 --density 0.55 --seed 5)
+works "${grown[@]}" --output grown.csv
+grep -q "^0 overlaps" out.txt || fault "a grown packing: $(cat out.txt)"
+[ "$(contacts grown.csv)" = 0 ] || fault "a grown packing has $(contacts grown.csv) contacts"
+works "${grown[@]}" --output grown2.csv
+cmp -s grown.csv grown2.csv || fault "the same seed grew other bytes"
+works pack --method event --law uniform-volume --ratio 4 --count 800 --dimension 2 --density 0.7 --periodic xy --output grown.csv
+[ "$(contacts grown.csv)" = 0 ] || fault "grown disks have $(contacts grown.csv) contacts"
+fails 2 "--sweeps" pack --method event --sweeps 3 --output x.csv
+fails 2 "--growth-rate" pack --growth-rate 0.1 --output x.csv
+fails 1 "rate of -1" pack --method event --growth-rate -1 --output x.csv
+
+# Ctrl-C amid a growth too slow to end by itself: its state, smaller than asked for, without overlaps.
+"$hgrid" pack --method event --law mono --count 300 --growth-rate 1e-9 --output stopped.csv >out.txt 2>err.txt &
+growing=$!
+until grep -q "^SigCgt:.*[2367abef]$" "/proc/$growing/status" 2>/dev/null; do kill -0 $growing || break; done
+kill -INT $growing
+wait $growing
+[ $? = 1 ] || fault "a stopped growth ended with exit code 0"
+grep -q "stopped at density 0.*stopped.csv holds its state" err.txt || fault "a stopped growth says: $(cat err.txt)"
+[ "$(contacts stopped.csv)" = 0 ] || fault "a stopped growth left $(contacts stopped.csv) contacts"
+awk -F, 'NR > 2 && !($4 > 0 && $4 < 1) { bad = 1 } END { exit bad || NR != 302 }' stopped.csv || fault "stopped.csv"
 
 # A failing run leaves the file that was there and nothing else.
 cp one.csv kept.csv
