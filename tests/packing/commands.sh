@@ -75,7 +75,11 @@ fails 1 "rate of -1" pack --method event --growth-rate -1 --output x.csv
 # Ctrl-C amid a growth too slow to end by itself: its state, smaller than asked for, without overlaps.
 "$hgrid" pack --method event --law mono --count 300 --growth-rate 1e-9 --output stopped.csv >out.txt 2>err.txt &
 growing=$!
-until grep -q "^SigCgt:.*[2367abef]$" "/proc/$growing/status" 2>/dev/null; do kill -0 $growing || break; done
+# Ready once it is no more this shell's twin and catches signal 2.
+until [ "$(cat "/proc/$growing/comm" 2>/dev/null)" = hgrid ] &&
+  grep -q "^SigCgt:.*[2367abef]$" "/proc/$growing/status" 2>/dev/null; do
+  kill -0 $growing || break
+done
 kill -INT $growing
 wait $growing
 [ $? = 1 ] || fault "a stopped growth ended with exit code 0"
