@@ -16,10 +16,9 @@
 namespace hg {
 namespace {
 
-constexpr double kMaxCrowding = 40.0;  // others in a particle's own cell beyond which a widened table does not pay
-constexpr size_t kChunk = 4096;        // radii looked at level by level while they are in cache
-constexpr size_t kLeastPart = 8192;    // particles that are worth a thread
-constexpr size_t kRowTasks = 64;       // pieces into which the rows of a level are cut
+constexpr size_t kChunk = 4096;      // radii looked at level by level while they are in cache
+constexpr size_t kLeastPart = 8192;  // particles that are worth a thread
+constexpr size_t kRowTasks = 64;     // pieces into which the rows of a level are cut
 
 template <int D>
 class Builder {
@@ -206,8 +205,8 @@ class Builder {
     double origin[3] = {0, 0, 0};
     for (int k = 0; k < D; k++) origin[k] = 2 * index_.frame.half_origin[k];
     uint32_t *slots = index_.particles.slot.data() + l.begin;
-    // Any width will do for correctness; a level of points alone (s_h = 0) still needs one. Not the quantum otherwise: one
-    // particle far away makes that wider than a crowd.
+    // Any width will do for correctness; a level of points alone (s_h = 0) still needs one. Not the quantum otherwise:
+    // one particle far away makes that wider than a crowd.
     const double width = l.plan.cell_size > 0 ? l.plan.cell_size : 1.0 / index_.frame.scale;
     l.rows = index_.sparse.add_level(store_, index_.domain, origin, width, slots, l.begin, count);
     for (uint32_t i = l.begin; i < l.end; i++) place(i, index_.particles.slot[i]);

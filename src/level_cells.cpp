@@ -38,8 +38,8 @@ LevelCells lay_cells(const Frame &frame, int dimension, double cell_size, size_t
   level.widened = kCellLength * cell_size < kLeastCell;
   const double most = std::min(kCellsPerParticle * static_cast<double>(particles) + kFewCells, kMaxCells);
   const double wanted = total(frame.extent, width, dimension);
-  level.widened = wanted > most;
-  if (level.widened) width[0] *= std::min(wanted / most, kMostStretch);
+  level.widened = level.widened || wanted > most;
+  if (wanted > most) width[0] *= std::min(wanted / most, kMostStretch);
   for (double cells = total(frame.extent, width, dimension); cells > most;
        cells = total(frame.extent, width, dimension)) {
     const double grow = std::max(std::pow(cells / most, 1.0 / dimension), 1.01);

@@ -25,6 +25,9 @@ inline constexpr double kMostStretch = 8;
 inline constexpr double kCellsPerParticle = 4;
 inline constexpr double kFewCells = 64;
 
+// Others in a particle's own cell beyond which a widened table does not pay, and the level keeps sparse rows instead.
+inline constexpr double kMaxCrowding = 40;
+
 // The map from coordinates to cells, as in the kernels, which have copies of their own (kernels/search.hpp, keys.hpp).
 inline int32_t cell_of(const CellTable &cells, int axis, float x) {
   const float last = static_cast<float>(cells.count[axis]) - 0.5f;

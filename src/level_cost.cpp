@@ -11,6 +11,11 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
+// Sparse rows are found by binary search and tested one candidate at a time, in doubles: so many times dearer. On
+// clusters, where levels are sparse, docs/performance.md.
+constexpr double kSparseRow = 3;
+constexpr double kSparseTest = 30;
+
 }  // namespace
 
 struct LevelCost::Level {
@@ -19,6 +24,7 @@ struct LevelCost::Level {
   double largest_radius;  // in quanta
   double row_width, cell_length;
   double rows;  // in all
+  bool sparse;
 };
 
 LevelCost::LevelCost(const SizeClasses &classes, const Interaction &interaction, const Frame &frame, int dimension,
@@ -48,6 +54,17 @@ LevelCost::Level LevelCost::level_of(const ClassRange &range) const {
   level.row_width = static_cast<double>(cells.table.width[1]);
   level.cell_length = static_cast<double>(cells.table.width[0]);
   level.rows = static_cast<double>(cells.rows);
+  double volume = 1, edge = 0;
+  for (int k = 0; k < dimension_; k++) {
+    volume *= static_cast<double>(cells.table.width[k]);
+    edge = std::max(edge, static_cast<double>(cells.table.width[k]));
+  }
+  level.sparse = cells.widened && level.particles * filling_.density(edge) * volume > kMaxCrowding;
+  if (level.sparse) {
+    level.row_width = std::max(interaction_.diameter(largest) * frame_.scale, 1.0);
+    level.cell_length = 0;
+    level.rows = level.particles;  // at most
+  }
   return level;
 }
 
@@ -89,11 +106,14 @@ void LevelCost::add_search(const Level &searcher, const Level &target, bool own,
   const double density = target.particles * filling_.density(2 * w[1] + W);
   const double tests = std::min(volume * density, target.particles);
   const double share = searcher.particles / particles_;
+  const double met = std::min(rows, target.rows) * (target.sparse ? kSparseRow : 1);
+  const double tested = tests * (target.sparse ? kSparseTest : 1);
   if (own) {
-    work.tests += share * 0.5 * tests;  // the other half is met from the other side
+    work.rows += target.sparse ? share * 0.5 * met : 0;  // of a table they are few, and the same whatever the levels
+    work.tests += share * 0.5 * tested;                  // the other half is met from the other side
   } else {
-    work.rows += share * std::min(rows, target.rows);
-    work.tests += share * tests;
+    work.rows += share * met;
+    work.tests += share * tested;
   }
 }
 
