@@ -33,23 +33,6 @@ double quantile_above(double half) {
 
 }  // namespace
 
-double power(double base, int exponent) {
-  double result = 1;
-  for (int k = 0; k < exponent; ++k) result *= base;
-  return result;
-}
-
-double root(double x, int degree) {
-  if (degree == 1 || x == 0) return x;
-  if (degree == 2) return std::sqrt(x);
-  double found = x > 1 ? x : 1;  // from above, each step stays above
-  for (;;) {
-    const double next = found - (found - x / power(found, degree - 1)) / degree;
-    if (!(next < found)) return found;
-    found = next;
-  }
-}
-
 double exponential(double x) {
   int halvings = 0;
   for (; x > 0.5 || x < -0.5; ++halvings) x *= 0.5;

@@ -6,13 +6,12 @@
 #ifndef APP_PACKING_PORTABLE_MATH_HPP
 #define APP_PACKING_PORTABLE_MATH_HPP
 
+#include "sim/root.hpp"
+
 namespace packing {
 
-// base^exponent, exponent >= 0.
-double power(double base, int exponent);
-
-// x^(1/degree) for x >= 0, degree >= 1.
-double root(double x, int degree);
+using hgrid_sim::power;
+using hgrid_sim::root;
 
 // e^x.
 double exponential(double x);

@@ -4,8 +4,8 @@
 // The rules by which the skins of hulls follow density and sizes.
 #include "sim/event/skins.hpp"
 
-#include "sim/cube_root.hpp"
 #include "sim/error.hpp"
+#include "sim/root.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ constexpr double kLeastRoom = 1e-3;  // skin over radius below which hulls would
 
 Skins::Skins(const Box &box, std::size_t count) : largest_hull_(std::numeric_limits<double>::infinity()) {
   const double volume = box.volume() / static_cast<double>(std::max<std::size_t>(count, 1));
-  const double distance = box.dimension() == 2 ? std::sqrt(volume) : cube_root(volume);
+  const double distance = box.dimension() == 2 ? std::sqrt(volume) : root(volume, 3);
   inner_ = kFirstInner * distance;
   outer_ = kFirstOuter * distance;
   for (int k = 0; k < box.dimension(); ++k) {
