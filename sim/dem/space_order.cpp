@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// An order of particles in which neighbours in space are neighbours in memory.
+#include "space_order.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace dem {
+namespace {
+
+constexpr int kBits = 21;  // per axis: three fit into a word
+
+// Bits of the coordinates, interleaved from the highest down.
+std::uint64_t place_on_curve(const std::uint32_t (&cell)[3], int dimension) {
+  std::uint64_t place = 0;
+  for (int bit = kBits - 1; bit >= 0; --bit) {
+    for (int k = 0; k < dimension; ++k) place = place << 1 | (cell[k] >> bit & 1u);
+  }
+  return place;
+}
+
+void reorder(std::vector<double> &rows, const std::vector<std::uint32_t> &order) {
+  if (rows.empty()) return;
+  const std::size_t width = rows.size() / order.size();
+  std::vector<double> result;
+  result.reserve(rows.size());
+  for (const std::uint32_t i : order) {
+    const auto row = rows.begin() + static_cast<std::ptrdiff_t>(i * width);
+    result.insert(result.end(), row, row + static_cast<std::ptrdiff_t>(width));
+  }
+  rows.swap(result);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> space_order(const Setup &setup) {
+  const auto dimension = static_cast<std::size_t>(setup.dimension);
+  double low[3], extent = 0;
+  for (std::size_t k = 0; k < dimension; ++k) {
+    double least = INFINITY, most = -INFINITY;
+    for (std::size_t i = 0; i < setup.count(); ++i) {
+      least = std::min(least, setup.centers[i * dimension + k]);
+      most = std::max(most, setup.centers[i * dimension + k]);
+    }
+    low[k] = least;
+    extent = std::max(extent, most - least);
+  }
+  const double scale = extent > 0 ? ((1 << kBits) - 1) / extent : 0;
+  std::vector<std::uint64_t> places(setup.count());
+  for (std::size_t i = 0; i < setup.count(); ++i) {
+    std::uint32_t cell[3]{};
+    for (std::size_t k = 0; k < dimension; ++k) {
+      cell[k] = static_cast<std::uint32_t>((setup.centers[i * dimension + k] - low[k]) * scale);
+    }
+    places[i] = place_on_curve(cell, setup.dimension);
+  }
+  std::vector<std::uint32_t> order(setup.count());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; });
+  return order;
+}
+
+Setup reordered(const Setup &setup, const std::vector<std::uint32_t> &order) {
+  Setup result = setup;
+  for (auto *rows : {&result.centers, &result.velocities, &result.radii, &result.masses, &result.spins}) {
+    reorder(*rows, order);
+  }
+  return result;
+}
+
+}  // namespace dem
