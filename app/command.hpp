@@ -20,6 +20,8 @@ void add_pack(CLI::App &parent);
 void add_bench(CLI::App &parent);
 void add_calibrate(CLI::App &parent);
 void add_slice(CLI::App &parent);
+void add_run(CLI::App &parent);
+void add_scenes(CLI::App &parent);
 
 }  // namespace app
 

@@ -42,6 +42,7 @@ void describe(CLI::App &parser) {
       "  hgrid pairs packing.csv --output contacts.csv\n"
       "  hgrid pairs packing.csv --count\n"
       "  hgrid levels packing.csv\n"
+      "  hgrid run scenes/bouncing-ball.toml\n"
       "Exit code: 0 on success, 1 if the work failed, 2 if the command line is wrong.");
   app::add_pairs(parser);
   app::add_levels(parser);
@@ -49,6 +50,8 @@ void describe(CLI::App &parser) {
   app::add_bench(parser);
   app::add_calibrate(parser);
   app::add_slice(parser);
+  app::add_run(parser);
+  app::add_scenes(parser);
 }
 
 // Help and version are answers too: they go the way of all output, where a full disk is noticed.

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// `hgrid scenes`: the scenes that come with the program, and what a scene can say.
+#include "command.hpp"
+#include "error.hpp"
+#include "output.hpp"
+#include "sim/dem/error.hpp"
+#include "sim/scene/keys.hpp"
+#include "sim/scene/shipped.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <string>
+
+namespace app {
+namespace {
+
+struct ScenesOptions {
+  std::string folder;
+  bool keys = false;
+};
+
+void list_scenes(const ScenesOptions &options) {
+  Output out("-");
+  if (options.keys) {
+    out << scene::key_reference();
+  } else {
+    const std::string folder = options.folder.empty() ? scene::shipped_folder() : options.folder;
+    for (const scene::Entry &entry : scene::scenes_in(folder)) out << entry.path << "\n    " << entry.title << '\n';
+  }
+  out.close();
+}
+
+}  // namespace
+
+void add_scenes(CLI::App &parent) {
+  auto options = std::make_shared<ScenesOptions>();
+  CLI::App *command = parent.add_subcommand("scenes", "List the scenes that come with hgrid, or what a scene can say");
+  command->add_option("FOLDER", options->folder, "Scenes of this folder instead");
+  command->add_flag("--keys", options->keys, "Every table and key of a scene with its meaning");
+  command->callback([options] {
+    try {
+      list_scenes(*options);
+    } catch (const dem::Error &error) {
+      throw Error(error.what());
+    }
+  });
+}
+
+}  // namespace app

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The files of a run: pictures of the state, the table of energies, the checkpoint.
+#ifndef SIM_OUTPUT_RECORDER_HPP
+#define SIM_OUTPUT_RECORDER_HPP
+
+#include "sim/dem/engine.hpp"
+#include "sim/output/vtp.hpp"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace output {
+
+// All files lie in one folder, which is made if it is not there. A run that goes on from a checkpoint adds to the
+// table; pictures carry the number of their step. Throws std::runtime_error if something cannot be written.
+class Recorder {
+ public:
+  Recorder(const std::string &directory, const std::vector<std::string> &formats, const dem::Setup &setup,
+           bool continued);
+
+  void picture(std::uint64_t step, const dem::Snapshot &state);
+  void energies(std::uint64_t step, const dem::Measurement &measurement);
+  void checkpoint(const dem::Engine &engine);
+
+  std::string checkpoint_path() const { return directory_ + "/checkpoint"; }
+
+ private:
+  struct CloseFile {
+    void operator()(std::FILE *file) const { std::fclose(file); }
+  };
+
+  std::string directory_;
+  std::vector<std::string> formats_;
+  const dem::Setup *setup_;
+  std::unique_ptr<std::FILE, CloseFile> table_;
+  std::vector<TimedFile> animation_;
+};
+
+}  // namespace output
+
+#endif

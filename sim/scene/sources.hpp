@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Where the particles of a group come from.
+#ifndef SIM_SCENE_SOURCES_HPP
+#define SIM_SCENE_SOURCES_HPP
+
+#include "particles/particle_set.hpp"
+#include "sim/dem/setup.hpp"
+#include "sim/scene/table.hpp"
+
+#include <string>
+
+namespace scene {
+
+// Centres and radii of one [[particles]] table, and the box if the source has one. The periodic axes of the setup must
+// be known: a packing is made with them.
+app::ParticleSet read_source(const Table &table, const std::string &folder, const dem::Setup &setup);
+
+}  // namespace scene
+
+#endif

@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reads what a run wrote with Python's own XML parser and numpy, and compares the two formats: read_back.py FOLDER."""
+
+import base64
+import glob
+import re
+import sys
+import xml.etree.ElementTree as xml
+
+import numpy as np
+
+TYPES = {"Float64": np.float64, "Int64": np.int64}
+
+
+def arrays_of(parent):
+    """The DataArrays below an element, by name, as numpy arrays [tuples, components]."""
+    found = {}
+    for array in parent.iter("DataArray"):
+        if array.get("format") != "binary":
+            continue
+        data = base64.b64decode(array.text, validate=True)
+        size = int(np.frombuffer(data[:8], dtype=np.uint64)[0])
+        assert size == len(data) - 8, array.get("Name")
+        numbers = np.frombuffer(data[8:], dtype=TYPES[array.get("type")])
+        components = int(array.get("NumberOfComponents"))
+        found[array.get("Name")] = numbers.reshape(-1, components)
+    return found
+
+
+def read_vtp(path):
+    root = xml.parse(path).getroot()
+    assert root.tag == "VTKFile" and root.get("type") == "PolyData", path
+    assert root.get("byte_order") == ("LittleEndian" if sys.byteorder == "little" else "BigEndian")
+    assert root.get("header_type") == "UInt64"
+    piece = root.find("PolyData/Piece")
+    count = int(piece.get("NumberOfPoints"))
+    points = arrays_of(piece.find("Points"))["centers"]
+    data = arrays_of(piece.find("PointData"))
+    vertices = arrays_of(piece.find("Verts"))
+    assert points.shape == (count, 3)
+    assert all(len(array) == count for array in data.values())
+    assert (vertices["connectivity"][:, 0] == np.arange(count)).all()
+    assert (vertices["offsets"][:, 0] == np.arange(1, count + 1)).all()
+    time = float(root.find("PolyData/FieldData/DataArray").text)
+    return time, points, data
+
+
+def read_xyz(path):
+    with open(path) as file:
+        count = int(file.readline())
+        comment = file.readline()
+        rows = [line.split() for line in file]
+    assert len(rows) == count and all(row[0] == "X" for row in rows)
+    time = float(re.search(r" Time=(\S+)", comment).group(1))
+    lattice = np.array(re.search(r'Lattice="([^"]*)"', comment).group(1).split(), dtype=float)
+    assert re.search(r'pbc="T T F"', comment)
+    properties = re.search(r"Properties=(\S+)", comment).group(1).split(":")
+    columns, place = {}, 0
+    for name, kind, width in zip(properties[::3], properties[1::3], map(int, properties[2::3])):
+        if kind == "R":
+            columns[name] = np.array([row[place : place + width] for row in rows], dtype=float)
+        place += width
+    assert all(len(row) == place for row in rows)
+    return time, lattice.reshape(3, 3), columns
+
+
+def main(folder):
+    pictures = sorted(glob.glob(folder + "/state-*.vtp"))
+    assert len(pictures) >= 2, pictures
+    listed = xml.parse(folder + "/states.pvd").getroot().findall("Collection/DataSet")
+    assert [folder + "/" + entry.get("file") for entry in listed] == pictures
+    for path, entry in zip(pictures, listed):
+        time, points, data = read_vtp(path)
+        other_time, lattice, columns = read_xyz(path.replace(".vtp", ".xyz"))
+        assert time == other_time == float(entry.get("timestep"))
+        assert (points == columns["pos"]).all()
+        assert (data["radius"] == columns["radius"]).all() and (data["radius"] >= 1).all()
+        assert (data["velocity"] == columns["velo"]).all()
+        assert (data["mass"] == columns["mass"]).all()
+        assert (data["spin"] == columns["angular_velocity"]).all()
+        for axis in (0, 1):  # the periodic axes
+            assert (points[:, axis] >= 0).all() and (points[:, axis] < lattice[axis, axis]).all()
+        assert np.allclose(data["mass"], 4 / 3 * np.pi * data["radius"] ** 3)
+    table = np.genfromtxt(folder + "/energy.csv", delimiter=",", names=True)
+    parts = table["translation"] + table["rotation"] + table["contact"] + table["gravity"]
+    assert np.allclose(table["energy"], parts) and table["step"][-1] == 300
+    print(f"{len(pictures)} pictures read back")
+
+
+main(sys.argv[1])

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
+# The command run from end to end: run.sh HGRID PYTHON SCENES. Scenes run a few steps, what they write is read back by
+# readers that are not ours, and a run that is stopped and restarted ends with the same bytes.
+set -euo pipefail
+hgrid=$1 python=$2 scenes=$3
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+fail() {
+  echo "run.sh: $*" >&2
+  exit 1
+}
+
+# The large systems of the paper are only listed: making them takes seconds each.
+"$hgrid" scenes >list.txt
+for scene in "$scenes"/*.toml; do
+  grep -qF "$(basename "$scene")" list.txt || fail "hgrid scenes does not list $scene"
+  case $scene in
+    */paper-*) continue ;;
+  esac
+  "$hgrid" run "$scene" --steps 20 --quiet --output out >summary.txt || fail "$scene does not run"
+  grep -q 'ns per particle and step' summary.txt || fail "$scene: no summary"
+done
+
+cat >busy.toml <<'TOML'
+dimension = 3
+[[particles]]
+pack = { law = "uniform-size", ratio = 3, count = 400, fraction = 0.5 }
+temperature = 1
+[contact]
+stiffness = 1e4
+[dissipation]
+restitution = 0.8
+[friction]
+coefficient = 0.3
+[periodic]
+axes = "xy"
+[gravity]
+acceleration = [0, 0, -1]
+[time]
+steps = 300
+[output]
+every = 0.1
+formats = ["vtp", "xyz"]
+checkpoint = 0.1
+TOML
+"$hgrid" run busy.toml --quiet --output whole >/dev/null
+"$python" "$here/read_back.py" whole || fail "the pictures do not read back"
+
+# Stopped halfway and restarted, with another number of threads.
+"$hgrid" run busy.toml --quiet --steps 150 --output part >/dev/null
+[[ -s part/checkpoint ]] || fail "no checkpoint"
+"$hgrid" run busy.toml --quiet --threads 2 --restart part/checkpoint --output part >/dev/null
+last=$(basename "$(ls whole/state-*.xyz | tail -1)")
+cmp "whole/$last" "part/$last" || fail "the restarted run ended elsewhere"
+cmp <(tail -1 whole/energy.csv) <(tail -1 part/energy.csv) || fail "the restarted run has another energy"
+
+# Refusals: exit code 1, the file and line, no trace of success.
+sed 's/restitution = 0.8/restitutoin = 0.8/' busy.toml >wrong.toml
+if "$hgrid" run wrong.toml >out.txt 2>err.txt; then fail "a wrong key was taken"; fi
+grep -q "wrong.toml:8: 'restitutoin' is no key of \[dissipation\]: did you mean 'restitution'?" err.txt ||
+  fail "the wrong key is not named: $(cat err.txt)"
+if "$hgrid" run absent.toml >out.txt 2>err.txt; then fail "an absent scene was run"; fi
+grep -q 'absent.toml' err.txt || fail "the absent scene is not named"
+echo "run.sh: all is well"
