@@ -13,15 +13,16 @@ namespace hg {
 
 namespace {
 
-// Building scatters over all of memory, where small pages cost a table walk each: asks for large ones. Advice only.
+// Building scatters over all of memory, where small pages cost a table walk each: asks for large ones. Advice only. It
+// is given for the whole of the pages that malloc mapped, as realloc must copy memory of which only a part has it.
 void *with_large_pages(void *memory, size_t size) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-  constexpr uintptr_t kLargePage = uintptr_t{1} << 21;
-  const uintptr_t begin = reinterpret_cast<uintptr_t>(memory);
-  const uintptr_t first = (begin + kLargePage - 1) / kLargePage * kLargePage;
-  const uintptr_t last = (begin + size) / kLargePage * kLargePage;
-  if (memory != nullptr && size >= 2 * kLargePage)
-    madvise(reinterpret_cast<void *>(first), last - first, MADV_HUGEPAGE);
+  constexpr uintptr_t kPage = 4096;
+  constexpr size_t kWorthIt = size_t{4} << 20;
+  if (memory == nullptr || size < kWorthIt) return memory;
+  const uintptr_t first = reinterpret_cast<uintptr_t>(memory) / kPage * kPage;
+  const uintptr_t last = (reinterpret_cast<uintptr_t>(memory) + size + kPage - 1) / kPage * kPage;
+  madvise(reinterpret_cast<void *>(first), last - first, MADV_HUGEPAGE);
 #else
   (void)size;
 #endif
