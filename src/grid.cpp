@@ -226,8 +226,7 @@ void Grid::find_pairs_locked() {
   const Answer answer = answer_locked();
   const SearchCounts counts = pairs_.gather(*answer.source, workers_, store_.slots());
   if (definition_.pair_order == HG_ORDER_ID) {
-    order_.build(pairs_.data(), pairs_.count(), store_.slots(), store_.id_offset(), HG_HALF);
-    order_.write_pairs(pairs_.data(), store_.slots(), store_.id_offset());
+    order_.ascend(pairs_.data(), pairs_.count(), store_.slots(), store_.id_offset());
   }
   to_ids(pairs_.data(), pairs_.count(), store_);
   count_answer(answer, counts, pairs_.count());

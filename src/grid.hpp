@@ -10,6 +10,7 @@
 #include "neighbor_rows.hpp"
 #include "overlap.hpp"
 #include "pair_list.hpp"
+#include "pair_order.hpp"
 #include "pair_search.hpp"
 #include "particle_store.hpp"
 #include "size_classes.hpp"
@@ -85,7 +86,7 @@ class Grid {
   PairWorkers workers_;
   PairList pairs_;
   bool pairs_found_ = false;
-  NeighborRows order_;
+  PairOrder order_;
   NeighborRows rows_[2];  // HG_HALF, HG_FULL
   bool rows_made_[2] = {false, false};
   Buffer<hg_pair> by_slot_;

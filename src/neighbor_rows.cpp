@@ -50,12 +50,4 @@ void NeighborRows::build(const hg_pair *pairs, size_t pair_count, size_t row_cou
   for (size_t row = 0; row < row_count; row++) sort_row(&neighbors_[0] + offset[row], &neighbors_[0] + offset[row + 1]);
 }
 
-void NeighborRows::write_pairs(hg_pair *pairs, size_t row_count, int32_t base) const {
-  for (size_t row = 0; row < row_count; row++) {
-    for (int64_t k = offsets_[row]; k < offsets_[row + 1]; k++) {
-      pairs[k] = {base + static_cast<int32_t>(row), neighbors_[static_cast<size_t>(k)]};
-    }
-  }
-}
-
 }  // namespace hg

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Turns a list of pairs into compressed rows, one per particle, and into ascending order.
+// Turns a list of pairs into compressed rows, one per particle.
 #pragma once
 
 #include "memory.hpp"
@@ -19,8 +19,6 @@ class NeighborRows {
   // Pairs of slots + `base`, a < b, into rows by slot; neighbours keep the base and ascend within each row.
   // O(rows + pairs) but for sorting within rows.
   void build(const hg_pair *pairs, size_t pair_count, size_t row_count, int32_t base, int32_t list);
-  // The half list back as pairs in ascending (a, b).
-  void write_pairs(hg_pair *pairs, size_t row_count, int32_t base) const;
 
   const int64_t *offsets() const { return offsets_.data(); }
   int32_t *neighbors() { return neighbors_.data(); }
