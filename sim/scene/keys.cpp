@@ -57,6 +57,8 @@ const std::vector<Key> &all_keys() {
       {"particles.pack", "count", Kind::kCount, kPure, "needed", "number of particles"},
       {"particles.pack", "ratio", Kind::kNumber, kPure, "1; 10; 50; 50", "largest over smallest radius, by law"},
       {"particles.pack", "fraction", Kind::kNumber, kPure, "needed", "share of the box that the particles fill"},
+      {"particles.pack", "method", Kind::kText, kPure, "relax",
+       "relax: small overlaps stay; event: grown without any, which takes longer"},
       {"particles.pack", "seed", Kind::kCount, kPure, "1", "same seed, same packing"},
       {"particles.pack", "sweeps", Kind::kCount, kPure, "60", "sweeps that push overlapping particles apart"},
 

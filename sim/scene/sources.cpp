@@ -4,6 +4,7 @@
 // Where the particles of a group come from.
 #include "sim/scene/sources.hpp"
 
+#include "packing/growth.hpp"
 #include "packing/packing.hpp"
 #include "particles/reader.hpp"
 #include "sim/dem/error.hpp"
@@ -11,9 +12,19 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace scene {
 namespace {
+
+// A packing without overlaps: what does not reach the density is none.
+app::ParticleSet grow(const packing::Request &request) {
+  packing::GrownPacking packing = packing::grow_packing(request, 0, [](const auto &) { return true; });
+  if (packing.growth.end != hgrid_sim::event::GrowthEnd::kDone) {
+    throw dem::Error("the growth jammed at density " + dem::text(packing.growth.density));
+  }
+  return std::move(packing.particles);
+}
 
 app::ParticleSet read_pack(const Table &group, const Table &table, const dem::Setup &setup) {
   packing::Request request;
@@ -27,9 +38,11 @@ app::ParticleSet read_pack(const Table &group, const Table &table, const dem::Se
   request.seed = table.count("seed", 1);
   request.sweeps = static_cast<int>(table.count("sweeps", 60));
   for (std::size_t k = 0; k < 3; ++k) request.periodic[k] = setup.periodic[k];
+  const bool grows = table.choice("method", {"relax", "event"}) == "event";
+  if (grows && table.has("sweeps")) table.fail("sweeps", "is for the method relax");
   app::ParticleSet set;
   try {
-    set = packing::make_packing(request, [](int, const packing::Overlaps &) {}).particles;
+    set = grows ? grow(request) : packing::make_packing(request, [](int, const packing::Overlaps &) {}).particles;
   } catch (const std::exception &error) {
     group.fail("pack", error.what());
   }
