@@ -142,12 +142,27 @@ PairEffort<D, Real> pair_effort(const PairTask<D, Real> &task, std::size_t p) {
   return result;
 }
 
+// First particles of a list follow one another in memory; second ones do not, and are asked for in time.
+constexpr std::size_t kPairsAhead = 16;
+
+template <int D, class Real>
+void fetch_ahead(const Bodies<D, Real> &bodies, const hg_pair &pair) {
+#ifdef __GNUC__
+  const auto b = static_cast<std::size_t>(pair.b);
+  __builtin_prefetch(&bodies.position[b]);
+  __builtin_prefetch(&bodies.force[b], 1);
+#endif
+}
+
 template <EffectSet E, int D, class Real>
 void pair_forces(const PairTask<D, Real> &task, std::size_t first, std::size_t last) {
   if (task.efforts != nullptr) {
     for (std::size_t p = first; p < last; ++p) task.efforts[p] = pair_effort<E>(task, p);
   } else {
-    for (std::size_t p = first; p < last; ++p) add_effort<E>(*task.bodies, task.pairs[p], pair_effort<E>(task, p));
+    for (std::size_t p = first; p < last; ++p) {
+      fetch_ahead(*task.bodies, task.pairs[p + kPairsAhead < last ? p + kPairsAhead : p]);
+      add_effort<E>(*task.bodies, task.pairs[p], pair_effort<E>(task, p));
+    }
   }
 }
 
