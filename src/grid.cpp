@@ -88,7 +88,7 @@ void Grid::insert(size_t count, const double *centers, const double *radii) {
 
 void Grid::move(size_t count, const double *centers, const double *radii) {
   // Many callers give the same radii in each step; that is no reason to choose levels anew or to look for growth.
-  const bool same = radii != nullptr && count == store_.slots() && count == store_.live_count() &&
+  const bool same = radii != nullptr && count > 0 && count == store_.slots() && count == store_.live_count() &&
                     std::memcmp(radii, store_.radii(), count * sizeof *radii) == 0;
   store_.move(count, centers, same ? nullptr : radii);
   changed(radii != nullptr && !same);
