@@ -15,7 +15,7 @@ bool comes_first(const hg_pair &p, const hg_pair &q) { return p.a < q.a || (p.a 
 
 void PairOrder::ascend(hg_pair *pairs, size_t count, size_t slots, int32_t base) {
   begin_.require(slots + 1);
-  by_first_.require(count);
+  by_first_.require_room(count);
   uint64_t *begin = begin_.data();
   hg_pair *by_first = by_first_.data();
   std::fill(begin, begin + slots + 1, uint64_t{0});
