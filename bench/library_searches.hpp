@@ -31,8 +31,8 @@ struct LibrarySetting {
 // Times hg_clear, hg_insert and hg_query_pairs on a grid that keeps its memory between runs.
 Contestant library_search(const LibrarySetting &setting);
 
-// Times hg_move and hg_query_pairs over time steps in which each particle flies straight on, by up to `longest_step` per
-// step; the time is that of a step, on average. Every run begins where `set` is.
+// Times hg_move and hg_query_pairs over time steps in which each particle flies straight on, by up to `longest_step`
+// per step; the time is that of a step, on average. Every run begins where `set` is.
 Contestant library_steps(const LibrarySetting &setting, double skin, int steps, double longest_step);
 // Where the particles are after so many steps.
 app::ParticleSet moved(const app::ParticleSet &set, int steps, double longest_step);

@@ -35,7 +35,8 @@ double check_price(const char *name, double value, double fitted) {
 }
 
 void check_length(const char *name, double value) {
-  if (!std::isfinite(value) || is_negative(value)) fail(HG_ERR_ARGUMENT, "def.%s = %g is not finite and >= 0", name, value);
+  if (!std::isfinite(value) || is_negative(value))
+    fail(HG_ERR_ARGUMENT, "def.%s = %g is not finite and >= 0", name, value);
 }
 
 Domain check_domain(const hg_grid_def &def) {

@@ -88,6 +88,17 @@ void giant_over_crowded_dust(void **) {
   }));
 }
 
+// One giant far from equal spheres: the space that is filled is a tiny part of the bounding box.
+void giant_far_away(void **) {
+  assert_true(holds(4, [](std::uint64_t seed) {
+    Rng rng(seed);
+    Particles particles = cloud(rng, 20000, 65, 1);
+    const double origin[3] = {1e6, 0, 0};
+    particles.add(origin, 1e5);
+    require_exact_and_bounded("giant far away", particles, 100);
+  }));
+}
+
 // As many particles in each decade of sizes, over six decades, at the density of a loose packing.
 void power_law_at_ratio_1e6(void **) {
   assert_true(holds(3, [](std::uint64_t seed) {
@@ -212,9 +223,14 @@ void strided_lattices(void **) {
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(giant_over_dust),        cmocka_unit_test(giant_over_crowded_dust),
-                              cmocka_unit_test(power_law_at_ratio_1e6), cmocka_unit_test(ten_thousand_at_one_point),
-                              cmocka_unit_test(more_than_2_31_pairs),   cmocka_unit_test(sparse_cloud),
-                              cmocka_unit_test(crowd_with_outliers),    cmocka_unit_test(strided_lattices)};
+  const CMUnitTest tests[] = {cmocka_unit_test(giant_over_dust),
+                              cmocka_unit_test(giant_over_crowded_dust),
+                              cmocka_unit_test(giant_far_away),
+                              cmocka_unit_test(power_law_at_ratio_1e6),
+                              cmocka_unit_test(ten_thousand_at_one_point),
+                              cmocka_unit_test(more_than_2_31_pairs),
+                              cmocka_unit_test(sparse_cloud),
+                              cmocka_unit_test(crowd_with_outliers),
+                              cmocka_unit_test(strided_lattices)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -7,8 +7,8 @@
 #include "hierarchical_grid.hpp"
 #include "linked_cell.hpp"
 #include "packing/packing.hpp"
-#include "sim/random.hpp"
 #include "pair_sets.hpp"
+#include "sim/random.hpp"
 
 #include <hgrid/hgrid.h>
 
