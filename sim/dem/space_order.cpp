@@ -4,23 +4,15 @@
 // An order of particles in which neighbours in space are neighbours in memory.
 #include "space_order.hpp"
 
+#include "sim/morton.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace dem {
 namespace {
 
 constexpr int kBits = 21;  // per axis: three fit into a word
-
-// Bits of the coordinates, interleaved from the highest down.
-std::uint64_t place_on_curve(const std::uint32_t (&cell)[3], int dimension) {
-  std::uint64_t place = 0;
-  for (int bit = kBits - 1; bit >= 0; --bit) {
-    for (int k = 0; k < dimension; ++k) place = place << 1 | (cell[k] >> bit & 1u);
-  }
-  return place;
-}
 
 void reorder(std::vector<double> &rows, const std::vector<std::uint32_t> &order) {
   if (rows.empty()) return;
@@ -55,12 +47,9 @@ std::vector<std::uint32_t> space_order(const Setup &setup) {
     for (std::size_t k = 0; k < dimension; ++k) {
       cell[k] = static_cast<std::uint32_t>((setup.centers[i * dimension + k] - low[k]) * scale);
     }
-    places[i] = place_on_curve(cell, setup.dimension);
+    places[i] = hgrid_sim::morton_place(cell, setup.dimension, kBits);
   }
-  std::vector<std::uint32_t> order(setup.count());
-  std::iota(order.begin(), order.end(), 0u);
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; });
-  return order;
+  return hgrid_sim::order_by_place<std::uint32_t>(places);
 }
 
 Setup reordered(const Setup &setup, const std::vector<std::uint32_t> &order) {
