@@ -10,15 +10,11 @@
 namespace hg {
 namespace {
 
-// One for each task. Tasks are so many at most, whatever the number of particles, and do not depend on the threads.
-constexpr size_t kMaxTasks = 64;
-constexpr size_t kLeastTask = 16384;
-
 // The same whatever the number of threads.
 double sum_of_radii(const ParticleStore &store, int threads) {
   const size_t count = store.slots();
-  const size_t tasks = std::clamp<size_t>(count / kLeastTask, 1, kMaxTasks);
-  double parts[kMaxTasks];
+  const size_t tasks = parts_of(count);
+  double parts[kMostParts];
   parallel_for(threads, tasks, [&](size_t task, int) {
     const size_t first = count * task / tasks, last = count * (task + 1) / tasks;
     parts[task] = sum_of(store.radii() + first, last - first);

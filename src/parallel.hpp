@@ -19,6 +19,14 @@ namespace hg {
 // Below this many particles, waking threads costs more than they save.
 inline constexpr size_t kWorthThreads = 20000;
 
+// Into how many tasks a pass over `count` particles is cut, so few that each may keep its result on the stack.
+inline constexpr size_t kMostParts = 64;
+inline size_t parts_of(size_t count) {
+  constexpr size_t kLeastPart = 16384;  // particles
+  const size_t parts = count / kLeastPart;
+  return parts < 1 ? 1 : (parts < kMostParts ? parts : kMostParts);
+}
+
 // How many threads a grid uses that was asked for `thread_count` (0: all that the machine offers). Inside a parallel
 // region of the caller OpenMP gives one unless nesting is enabled.
 inline int usable_threads(int thread_count) {

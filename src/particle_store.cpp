@@ -19,10 +19,6 @@ namespace {
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr int64_t kMaxId = std::numeric_limits<int32_t>::max();
 
-// One for each task, whatever the number of particles.
-constexpr size_t kMaxTasks = 64;
-constexpr size_t kLeastTask = 16384;
-
 void include(Extremes &all, const Extremes &more) {
   all.least = std::min(all.least, more.least);
   all.greatest = std::max(all.greatest, more.greatest);
@@ -144,8 +140,8 @@ size_t ParticleStore::find(int64_t id) const {
 
 Survey ParticleStore::look_at(const SurveyInput &input) const {
   const auto kernel = active_kernels().survey[dimension_ - 2];
-  const size_t tasks = std::clamp<size_t>(input.count / kLeastTask, 1, kMaxTasks);
-  Survey found[kMaxTasks];
+  const size_t tasks = parts_of(input.count);
+  Survey found[kMostParts];
   parallel_for(input.count < kWorthThreads ? 1 : threads_, tasks, [&](size_t task, int) {
     const size_t first = input.count * task / tasks;
     const auto from = [first](auto *array, size_t columns) {
