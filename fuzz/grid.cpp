@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes the C interface: a definition, then any sequence of calls, checked against a plain list in exact arithmetic.
 #include "bytes.hpp"
+#include "expect.hpp"
 #include "grid_model.hpp"
 
 #include <algorithm>

@@ -3,10 +3,10 @@
 // The list behind the fuzzer of the C interface.
 #include "grid_model.hpp"
 
+#include "expect.hpp"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <iterator>
 
 namespace fuzz {
@@ -25,11 +25,6 @@ Pairs lacking(const Pairs &from, const Pairs &other) {
 }
 
 }  // namespace
-
-void report(const char *text) {
-  std::fprintf(stderr, "finding: %s (last error: %s)\n", text, hg_last_error());
-  std::abort();
-}
 
 GridModel::GridModel(const hg_grid_def &def) : def_(def), next_id_(def.index_base) {
   particles_.dimension = def.dimension;

@@ -11,12 +11,6 @@
 
 namespace fuzz {
 
-// Prints the text and aborts, which is a finding.
-[[noreturn]] void report(const char *text);
-inline void expect(bool holds, const char *text) {
-  if (!holds) report(text);
-}
-
 class GridModel {
  public:
   explicit GridModel(const hg_grid_def &def);

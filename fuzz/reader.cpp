@@ -3,20 +3,16 @@
 // Fuzzes the reader FUZZ_READER of app/particles: any bytes are read as particles that a grid may take, or refused with
 // a text.
 #include "error.hpp"
+#include "expect.hpp"
 #include "particles/readers.hpp"
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
+#include <string>
 
 namespace {
 
-void expect(bool holds, const char *text) {
-  if (holds) return;
-  std::fprintf(stderr, "finding: %s\n", text);
-  std::abort();
-}
+using fuzz::expect;
 
 void check(const app::ParticleSet &particles) {
   expect(particles.dimension == 2 || particles.dimension == 3, "neither 2 nor 3 dimensions");

@@ -7,8 +7,8 @@
 // own length, name and bytes; last the checksum of all that. Numbers are 64-bit.
 #include "checkpoint.hpp"
 
+#include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -19,18 +19,6 @@ namespace {
 
 constexpr std::string_view kTitle = "hgrid checkpoint 1\n";
 constexpr std::uint64_t kByteOrder = 0x0102030405060708u;
-
-// FNV-1a, taken in words: finds damage, does not guard against forgery.
-std::uint64_t checksum(const std::string &bytes, std::size_t count) {
-  std::uint64_t sum = 0xcbf29ce484222325u;
-  for (std::size_t k = 0; k < count; k += sizeof sum) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + k, std::min(sizeof word, count - k));
-    sum = (sum ^ word) * 0x100000001b3u;
-    sum ^= sum >> 29;
-  }
-  return sum;
-}
 
 void append(std::string &bytes, std::uint64_t number) {
   bytes.append(reinterpret_cast<const char *>(&number), sizeof number);
@@ -77,6 +65,18 @@ class Walk {
 
 }  // namespace
 
+// FNV-1a, taken in words: finds damage, does not guard against forgery.
+std::uint64_t Checkpoint::checksum(const char *bytes, std::size_t count) {
+  std::uint64_t sum = 0xcbf29ce484222325u;
+  for (std::size_t k = 0; k < count; k += sizeof sum) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes + k, std::min(sizeof word, count - k));
+    sum = (sum ^ word) * 0x100000001b3u;
+    sum ^= sum >> 29;
+  }
+  return sum;
+}
+
 void Checkpoint::write(const std::string &path) const {
   std::string bytes(kTitle);
   append(bytes, kByteOrder);
@@ -87,7 +87,7 @@ void Checkpoint::write(const std::string &path) const {
     bytes += name;
     bytes.append(block.data(), block.size());
   }
-  append(bytes, checksum(bytes, bytes.size()));
+  append(bytes, checksum(bytes.data(), bytes.size()));
   const std::string partial = path + ".partial";
   {
     File file(std::fopen(partial.c_str(), "wb"));
@@ -110,7 +110,7 @@ Checkpoint Checkpoint::read(const std::string &path) {
   std::uint64_t stored = 0;
   const std::size_t covered = bytes.size() - sizeof stored;
   std::memcpy(&stored, bytes.data() + covered, sizeof stored);
-  if (checksum(bytes, covered) != stored) fail(path, "is damaged: its checksum does not fit");
+  if (checksum(bytes.data(), covered) != stored) fail(path, "is damaged: its checksum does not fit");
   Checkpoint result;
   for (std::uint64_t left = walk.number(); left > 0; --left) {
     const std::uint64_t name_length = walk.number(), length = walk.number();

@@ -8,6 +8,7 @@
 #include "error.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <map>
 #include <string>
@@ -61,6 +62,8 @@ class Checkpoint {
   // a machine with another order of bytes is refused, a damaged one too.
   void write(const std::string &path) const;
   static Checkpoint read(const std::string &path);
+  // What a file ends with, of all bytes before.
+  static std::uint64_t checksum(const char *bytes, std::size_t count);
 
  private:
   const std::vector<char> &block(const std::string &name) const;

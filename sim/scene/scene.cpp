@@ -61,6 +61,12 @@ void read_run(const Table &top, Scene &scene) {
   if (run->choice("precision", {"double", "float"}) == "float") scene.precision = dem::Precision::kFloat;
 }
 
+// How many steps an interval is, which must be a number that a double counts to.
+std::uint64_t steps_in(const Table &table, const char *key, double steps) {
+  if (!(steps < 0x1p53)) table.fail(key, "is " + dem::text(steps) + " time steps, more than can be counted");
+  return static_cast<std::uint64_t>(steps);
+}
+
 void read_time(const Table &top, Scene &scene) {
   const auto time = top.part("time");
   if (!time) top.fail("time", "a scene needs the table [time] with end or steps");
@@ -85,14 +91,14 @@ void read_time(const Table &top, Scene &scene) {
     time->fail("step", error.what());
   }
   scene.steps = time->has("steps") ? time->count("steps")
-                                   : static_cast<std::uint64_t>(std::ceil(end / setup.time_step * (1 - 1e-12)));
+                                   : steps_in(*time, "end", std::ceil(end / setup.time_step * (1 - 1e-12)));
 }
 
 std::uint64_t steps_of(const Table &output, const char *key, double time_step, std::uint64_t fallback) {
   if (!output.has(key)) return fallback;
   const double interval = output.number(key);
   if (!(interval > 0)) output.fail(key, dem::text(interval) + " is not above 0");
-  return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(interval / time_step)));
+  return std::max<std::uint64_t>(1, steps_in(output, key, std::round(interval / time_step)));
 }
 
 void read_output(const Table &top, const std::string &path, Scene &scene) {
