@@ -2,8 +2,13 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_query_sphere: the particles that a sphere meets, by the rule of the grid. */
+#define _DEFAULT_SOURCE /* setrlimit */
 #include "failing_alloc.h"
 #include "fixture.h"
+
+#include <malloc.h>
+#include <stdlib.h>
+#include <sys/resource.h>
 
 /* The sphere at (x, 0, 0) meets the ids first .. last. */
 static void assert_range(hg_grid *grid, double x, double radius, int32_t first, int32_t last) {
@@ -164,6 +169,45 @@ static void no_memory(void **state) {
   assert_true(refuse_each_allocation(&scenario) > 0);
 }
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define MALLOC_ASKS_THE_SYSTEM 0 /* the sanitizers' own malloc ends the program when the system refuses */
+#else
+#define MALLOC_ASKS_THE_SYSTEM 1
+#endif
+
+/* The list of ids is the thread's and comes from malloc, which no hook reaches: so the system refuses the memory. */
+static void no_memory_for_the_list(void **state) {
+  enum { COUNT = 300000 };
+  double *centers, *radii;
+  const double center[3] = {0, 0, 0};
+  const int32_t *ids = NULL;
+  struct rlimit usual, none;
+  hg_status status;
+  size_t count = 0;
+  hg_grid *grid;
+  int k;
+  (void)state;
+  if (!MALLOC_ASKS_THE_SYSTEM) skip();
+  centers = calloc(3 * COUNT, sizeof *centers);
+  radii = calloc(COUNT, sizeof *radii);
+  for (k = 0; k < COUNT; ++k) centers[3 * k] = k;
+  grid = make_grid(NULL, COUNT, centers, radii);
+  free(centers);
+  free(radii);
+  assert_ok(hg_build(grid));
+  assert_int_equal(0, getrlimit(RLIMIT_AS, &usual));
+  none = usual;
+  none.rlim_cur = 0;
+  assert_int_equal(0, setrlimit(RLIMIT_AS, &none));
+  status = hg_query_sphere(grid, center, 2.0 * COUNT, &ids, &count);
+  assert_int_equal(0, setrlimit(RLIMIT_AS, &usual));
+  assert_status(HG_ERR_MEMORY, status);
+  assert_ok(hg_query_sphere(grid, center, 2.0 * COUNT, &ids, &count));
+  assert_int_equal(COUNT, count);
+  assert_int_equal(COUNT - 1, ids[COUNT - 1]);
+  hg_destroy(grid);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(ids_ascend),
                                      cmocka_unit_test(touching_is_no_hit),
@@ -174,6 +218,9 @@ int main(void) {
                                      cmocka_unit_test(bad_arguments),
                                      cmocka_unit_test(too_far_outside_a_periodic_box),
                                      cmocka_unit_test(refused_inside_a_visitor),
-                                     cmocka_unit_test(no_memory)};
+                                     cmocka_unit_test(no_memory),
+                                     cmocka_unit_test(no_memory_for_the_list)};
+  /* Large blocks come from the system each time, so that it can refuse them. */
+  mallopt(M_MMAP_THRESHOLD, 1 << 16);
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
