@@ -24,8 +24,8 @@ mkdir -p "$build"
   cmake -S . -B "$build" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
     -DCMAKE_BUILD_TYPE=RelWithDebInfo -DHGRID_BUILD_FUZZERS=ON -DHGRID_SANITIZE=address,undefined \
     -DBUILD_SHARED_LIBS=OFF -DHGRID_OPENMP=OFF -DHGRID_BUILD_TESTS=ON -DHGRID_BUILD_FORTRAN=OFF \
-    -DHGRID_BUILD_PYTHON=OFF -DHGRID_BUILD_BENCH=OFF -DHGRID_INSTALL=OFF
-  cmake --build "$build" --target "${targets[@]/#/fuzz_}"
+    -DHGRID_BUILD_PYTHON=OFF -DHGRID_BUILD_BENCH=OFF -DHGRID_INSTALL=OFF &&
+    cmake --build "$build" --target "${targets[@]/#/fuzz_}"
 } >"$build/build.log" 2>&1 || { cat "$build/build.log" >&2 && exit 1; }
 
 # The last value of a statistic in a log of libFuzzer; 0 if a finding cut it short.
@@ -49,7 +49,7 @@ for target in "${targets[@]}"; do
   # libFuzzer knows the clock only, which runs on while other programs have the processor: so in slices.
   while $sound && ((spent < seconds)); do
     slice=$((seconds - spent < 60 ? seconds - spent : 60))
-    "$build/fuzz/fuzz_$target" -max_total_time="$slice" -timeout=120 -rss_limit_mb=2048 -max_len=1024 \
+    "$build/fuzz/fuzz_$target" -max_total_time="$slice" -timeout=120 -report_slow_units=120 -rss_limit_mb=2048 -max_len=1024 \
       -print_final_stats=1 -artifact_prefix="$findings/" "$corpus" "fuzz/corpus/$target" >"$log.slice" 2>&1 || sound=false
     cat "$log.slice" >>"$log"
     executions=$((executions + $(final number_of_executed_units "$log.slice")))
