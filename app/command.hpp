@@ -22,6 +22,7 @@ void add_calibrate(CLI::App &parent);
 void add_slice(CLI::App &parent);
 void add_run(CLI::App &parent);
 void add_scenes(CLI::App &parent);
+void add_accuracy(CLI::App &parent);
 
 }  // namespace app
 

@@ -52,6 +52,7 @@ void describe(CLI::App &parser) {
   app::add_slice(parser);
   app::add_run(parser);
   app::add_scenes(parser);
+  app::add_accuracy(parser);
 }
 
 // Help and version are answers too: they go the way of all output, where a full disk is noticed.

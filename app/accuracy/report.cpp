@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Tables of measured trades: as text, as Markdown and as CSV.
+#include "accuracy/report.hpp"
+
+#include "accuracy/ten_times.hpp"
+#include "output.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace accuracy {
+namespace {
+
+using Row = std::vector<std::string>;
+
+std::string number(double value, const char *format) {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string error_text(double error) { return error > 0 ? number(error, "%.2g") : "0"; }
+std::string cost_text(double cost) { return number(cost, cost < 10 ? "%.2f" : "%.1f"); }
+
+// Letters, not bytes: words may hold a sign beyond ASCII.
+std::size_t width_of(const std::string &cell) {
+  return static_cast<std::size_t>(
+      std::count_if(cell.begin(), cell.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
+std::string text_table(const std::vector<Row> &rows) {
+  std::vector<std::size_t> widths(rows[0].size(), 0);
+  for (const Row &row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], width_of(row[k]));
+  }
+  std::string table;
+  for (const Row &row : rows) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      line += row[k] + std::string(widths[k] - width_of(row[k]) + 2, ' ');
+    }
+    table += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return table;
+}
+
+std::string markdown_table(const std::vector<Row> &rows) {
+  std::string table;
+  for (const Row &row : rows) {
+    for (const std::string &cell : row) table += "| " + cell + " ";
+    table += "|\n";
+    if (&row != &rows[0]) continue;
+    for (std::size_t k = 0; k < row.size(); ++k) table += "|---";
+    table += "|\n";
+  }
+  return table;
+}
+
+std::string table_of(const std::vector<Row> &rows, Style style) {
+  return style == Style::kMarkdown ? markdown_table(rows) : text_table(rows);
+}
+
+std::string heading(const std::string &title, Style style) {
+  return style == Style::kMarkdown ? "### " + title + "\n\n"
+                                   : title + "\n" + std::string(width_of(title), '-') + "\n\n";
+}
+
+std::string knob_table(const Knob &knob, const std::vector<TradePoint> &points, Style style) {
+  std::vector<Row> rows = {{"system", "setting", "error of", "error", "ns", "note"}};
+  for (const TradePoint &p : points) {
+    if (p.knob != knob.name) continue;
+    rows.push_back({p.system, p.setting + (p.is_default ? " (default)" : ""), p.error_of, error_text(p.error),
+                    cost_text(p.cost), p.note});
+  }
+  return heading(knob.title, style) + knob.about + "\n\n" + table_of(rows, style) + "\n";
+}
+
+std::string step_text(const Step &step) {
+  switch (step.kind) {
+    case Step::Kind::kFactor:
+      return "x " + number(step.factor, "%.3g");
+    case Step::Kind::kToZero:
+      return "x " + number(step.factor, "%.3g") + " to no error at all";
+    case Step::Kind::kFree:
+      break;
+  }
+  return "nothing: the most accurate is no dearer";
+}
+
+std::string ten_times_table(const std::vector<TradePoint> &points, Style style) {
+  std::vector<Row> rows = {{"knob", "system", "error of", "from", "to", "error", "ns", "ten times less error costs"}};
+  for (const Step &step : ten_times_more(points)) {
+    const bool moves = step.kind != Step::Kind::kFree;
+    const std::string errors = moves ? error_text(step.from.error) + " to " : "";
+    const std::string costs = moves ? cost_text(step.from.cost) + " to " : "";
+    rows.push_back({step.from.knob, step.from.system, step.from.error_of, moves ? step.from.setting : "",
+                    step.to.setting, errors + error_text(step.to.error), costs + cost_text(step.to.cost),
+                    step_text(step)});
+  }
+  return heading("What ten times more accuracy costs", style) + table_of(rows, style);
+}
+
+// Quoted where it must be.
+std::string csv_field(const std::string &text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+std::string report(const std::vector<Knob> &knobs, const std::vector<TradePoint> &points, Style style) {
+  std::string text = ten_times_table(points, style) + "\n";
+  for (const Knob &knob : knobs) text += knob_table(knob, points, style);
+  return text;
+}
+
+void write_csv(const std::string &path, const std::vector<TradePoint> &points) {
+  app::Output out(path);
+  out << "knob,system,setting,error_of,error,ns,is_default,note\n";
+  for (const TradePoint &p : points) {
+    out << csv_field(p.knob) << ',' << csv_field(p.system) << ',' << csv_field(p.setting) << ','
+        << csv_field(p.error_of) << ',' << p.error << ',' << p.cost << ',' << (p.is_default ? '1' : '0') << ','
+        << csv_field(p.note) << '\n';
+  }
+  out.close();
+}
+
+}  // namespace accuracy

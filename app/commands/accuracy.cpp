@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// `hgrid accuracy`: what accuracy costs in time, for every knob that trades one for the other.
+#include "accuracy/pareto_picture.hpp"
+#include "accuracy/report.hpp"
+#include "accuracy/search_knobs.hpp"
+#include "accuracy/trade.hpp"
+#include "command.hpp"
+#include "output.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace app {
+namespace {
+
+struct AccuracyOptions {
+  std::vector<std::string> knobs;
+  accuracy::Budget budget;
+  bool markdown = false;
+  std::string csv, svg;
+};
+
+std::vector<accuracy::Knob> chosen_knobs(const AccuracyOptions &options) {
+  const std::vector<accuracy::Knob> &all = accuracy::search_knobs();
+  if (options.knobs.empty()) return all;
+  std::vector<accuracy::Knob> chosen;
+  for (const std::string &name : options.knobs) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const accuracy::Knob &k) { return name == k.name; });
+    if (found == all.end()) throw CLI::ValidationError("--knob", "'" + name + "' is no knob");
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+void write_text(const std::string &path, const std::string &text) {
+  Output out(path);
+  out << text;
+  out.close();
+}
+
+void run_accuracy(AccuracyOptions options) {
+  if (options.budget.quick) {
+    options.budget.timed_count = std::min<std::size_t>(options.budget.timed_count, 5000);
+    options.budget.truth_count = std::min<std::size_t>(options.budget.truth_count, 600);
+    options.budget.repeats = std::min(options.budget.repeats, 3);
+  }
+  const std::vector<accuracy::Knob> knobs = chosen_knobs(options);
+  std::vector<accuracy::TradePoint> points;
+  for (const accuracy::Knob &knob : knobs) {
+    const auto progress = [&](const std::string &what) {
+      std::fprintf(stderr, "hgrid accuracy: %s: %s\n", knob.name, what.c_str());
+    };
+    const std::vector<accuracy::TradePoint> found = knob.measure(options.budget, progress);
+    points.insert(points.end(), found.begin(), found.end());
+  }
+  const accuracy::Style style = options.markdown ? accuracy::Style::kMarkdown : accuracy::Style::kText;
+  write_text("-", report(knobs, points, style));
+  if (!options.csv.empty()) accuracy::write_csv(options.csv, points);
+  if (!options.svg.empty()) write_text(options.svg, pareto_picture(knobs, points));
+}
+
+}  // namespace
+
+void add_accuracy(CLI::App &parent) {
+  auto options = std::make_shared<AccuracyOptions>();
+  CLI::App *command = parent.add_subcommand("accuracy", "Measure what accuracy costs in time");
+  accuracy::Budget &budget = options->budget;
+  command->add_option("--knob", options->knobs, "Only these knobs: see --help")->delimiter(',');
+  command->add_flag("--quick", budget.quick, "Small systems and few repeats: to try it out");
+  command->add_option("--count", budget.timed_count, "Particles of the systems that are timed")
+      ->check(CLI::Range(1000, 100000000))
+      ->capture_default_str();
+  command->add_option("--truth-count", budget.truth_count, "Particles of the systems whose pairs are all checked")
+      ->check(CLI::Range(100, 20000))
+      ->capture_default_str();
+  command->add_option("--repeats", budget.repeats, "Runs of each setting; the median counts")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command->add_flag("--markdown", options->markdown, "Tables in Markdown");
+  command->add_option("--csv", options->csv, "Also write all points to this file");
+  command->add_option("--svg", options->svg, "Also draw error against time to this file");
+  std::string footer = "Knobs:\n";
+  for (const accuracy::Knob &knob : accuracy::search_knobs()) {
+    footer += "  " + std::string(knob.name) + ": " + knob.title + "\n";
+  }
+  command->footer(footer);
+  command->callback([options] { run_accuracy(*options); });
+}
+
+}  // namespace app
