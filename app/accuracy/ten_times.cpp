@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace accuracy {
 namespace {
@@ -14,10 +15,16 @@ bool same_series(const TradePoint &a, const TradePoint &b) {
   return a.knob == b.knob && a.system == b.system && a.error_of == b.error_of;
 }
 
-// Costs that differ by no more than the noise of timing do not decide: only a point with more error can then be beaten.
-bool beats(const TradePoint &a, const TradePoint &b) {
-  if (a.error < b.error) return a.cost <= kSameCost * b.cost;
-  return a.error == b.error && a.cost < b.cost;
+// Of points with the same error the cheapest, or the default if that is no dearer.
+const TradePoint &best_of(const std::vector<TradePoint> &points, double error) {
+  const TradePoint *best = nullptr;
+  for (const TradePoint &point : points) {
+    if (point.error == error && (best == nullptr || point.cost < best->cost)) best = &point;
+  }
+  for (const TradePoint &point : points) {
+    if (point.error == error && point.is_default && point.cost <= kSameCost * best->cost) return point;
+  }
+  return *best;
 }
 
 Step step_between(const TradePoint &from, const TradePoint &to) {
@@ -36,16 +43,17 @@ Step step_between(const TradePoint &from, const TradePoint &to) {
 
 }  // namespace
 
-std::vector<TradePoint> pareto_front(std::vector<TradePoint> points) {
-  std::stable_sort(points.begin(), points.end(), [](const TradePoint &a, const TradePoint &b) {
-    return a.error != b.error ? a.error > b.error : a.cost < b.cost;
-  });
+std::vector<TradePoint> pareto_front(const std::vector<TradePoint> &points) {
+  std::set<double> errors;
+  for (const TradePoint &point : points) errors.insert(point.error);
   std::vector<TradePoint> front;
-  for (const TradePoint &point : points) {
-    const auto better = [&](const TradePoint &other) { return beats(other, point); };
-    const bool twin = !front.empty() && front.back().error == point.error;
-    if (!twin && std::none_of(points.begin(), points.end(), better)) front.push_back(point);
+  double least_cost = HUGE_VAL;  // of all points with less error
+  for (const double error : errors) {
+    const TradePoint &point = best_of(points, error);
+    if (kSameCost * point.cost < least_cost) front.push_back(point);
+    least_cost = std::min(least_cost, point.cost);
   }
+  std::reverse(front.begin(), front.end());
   return front;
 }
 

@@ -27,7 +27,7 @@ struct Step {
 };
 
 // The points of one knob, system and kind of error that no other point beats, the least accurate first.
-std::vector<TradePoint> pareto_front(std::vector<TradePoint> points);
+std::vector<TradePoint> pareto_front(const std::vector<TradePoint> &points);
 
 // The steps along the front of each knob, system and kind of error, in the order in which these first appear.
 std::vector<Step> ten_times_more(const std::vector<TradePoint> &points);

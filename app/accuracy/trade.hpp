@@ -27,8 +27,8 @@ struct TradePoint {
 // How much to measure.
 struct Budget {
   std::size_t timed_count = 50000;  // particles of a system that is timed
-  std::size_t truth_count = 3000;   // particles of a system that is compared with the truth pair by pair
-  int repeats = 9;                  // runs of each setting, in turns; the median counts
+  std::size_t truth_count = 10000;  // particles of a system that is compared with the truth pair by pair
+  int repeats = 15;                 // runs of each setting, in turns; the median counts
   bool quick = false;               // few systems and settings: to try it out
 };
 

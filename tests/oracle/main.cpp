@@ -3,33 +3,11 @@
 // hgrid_oracle FILE [exact | float128 | double]: prints the overlapping pairs of a particle file as `hgrid pairs FILE
 // --order id` should, found by looking at every pair.
 #include "error.hpp"
-#include "exact_set.hpp"
 #include "particles/reader.hpp"
+#include "truth/particles.hpp"
 
 #include <cstdio>
 #include <cstring>
-
-namespace {
-
-oracle::Set set_of(const app::ParticleSet &particles) {
-  oracle::Set set;
-  const auto dimension = static_cast<std::size_t>(particles.dimension);
-  for (std::size_t i = 0; i < particles.count(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      set.centers.push_back(k < dimension ? particles.centers[i * dimension + k] : 0);
-    }
-  }
-  set.radii = particles.radii;
-  for (int k = 0; k < 3; ++k) {
-    set.periodic[k] = particles.periodic[k] != 0;
-    if (!set.periodic[k]) continue;
-    set.box_min[k] = particles.box_min[k];
-    set.box_max[k] = particles.box_max[k];
-  }
-  return set;
-}
-
-}  // namespace
 
 int main(int count, char **arguments) {
   const char *wanted = count > 2 ? arguments[2] : "exact";
@@ -41,7 +19,7 @@ int main(int count, char **arguments) {
     return 2;
   }
   try {
-    const oracle::Set set = set_of(app::read_particles(arguments[1]));
+    const oracle::Set set = oracle::set_of(app::read_particles(arguments[1]));
     std::printf("a,b\n");
     for (const auto &pair : overlapping_pairs(set, static_cast<oracle::Arithmetic>(arithmetic))) {
       std::printf("%d,%d\n", pair.first, pair.second);

@@ -3,8 +3,8 @@
 // 113 bits are not enough: ordinary spheres, touching up to 1e-34, that quadruple precision takes for touching and that
 // do overlap. Differences and squares of such doubles are exact in 113 bits, the sum of two squares is not.
 #include "compare.hpp"
-#include "exact_set.hpp"
 #include "frame.h"
+#include "truth/exact_set.hpp"
 
 namespace {
 

@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "exact_set.hpp"
+
+// Whole numbers of GMP, and the same formula in quadruple and double precision.
+#include "truth/exact_set.hpp"
 
 #include <gmpxx.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <stdexcept>
 
 namespace oracle {
 namespace {
-
-using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
 // value = odd number * 2^exponent; 0 has none.
 int exponent_of(double value) {
@@ -97,6 +99,27 @@ Pairs all_pairs(const Numbers<Number> &numbers) {
   return pairs;
 }
 
+Pairs sweep(const Numbers<mpz_class> &numbers) {
+  const std::size_t count = numbers.radius.size();
+  std::vector<mpz_class> lower(count);
+  std::vector<std::int32_t> order(count);
+  for (std::size_t i = 0; i < count; ++i) lower[i] = numbers.center[0][i] - numbers.radius[i];
+  std::iota(order.begin(), order.end(), 0);
+  const auto row = [](std::int32_t i) { return static_cast<std::size_t>(i); };
+  std::sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) { return lower[row(i)] < lower[row(j)]; });
+  Pairs pairs;
+  for (std::size_t first = 0; first < count; ++first) {
+    const std::int32_t i = order[first];
+    const mpz_class upper = numbers.center[0][row(i)] + numbers.radius[row(i)];
+    for (std::size_t next = first + 1; next < count && lower[row(order[next])] < upper; ++next) {
+      const std::int32_t j = order[next];
+      if (numbers.overlap(row(i), row(j))) pairs.emplace_back(std::min(i, j), std::max(i, j));
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
 Scale scale_of(const Set &set) {
   Scale scale;
   for (const double x : set.centers) scale.include(x);
@@ -108,6 +131,11 @@ Scale scale_of(const Set &set) {
   return scale;
 }
 
+Numbers<mpz_class> whole_numbers(const Set &set) {
+  const Scale scale = scale_of(set);
+  return converted<mpz_class>(set, [&](double x) { return scale.whole(x); });
+}
+
 }  // namespace
 
 Pairs overlapping_pairs(const Set &set, Arithmetic arithmetic) {
@@ -115,8 +143,12 @@ Pairs overlapping_pairs(const Set &set, Arithmetic arithmetic) {
     return all_pairs(converted<__float128>(set, [](double x) { return static_cast<__float128>(x); }));
   }
   if (arithmetic == Arithmetic::kDouble) return all_pairs(converted<double>(set, [](double x) { return x; }));
-  const Scale scale = scale_of(set);
-  return all_pairs(converted<mpz_class>(set, [&](double x) { return scale.whole(x); }));
+  return all_pairs(whole_numbers(set));
+}
+
+Pairs swept_pairs(const Set &set) {
+  if (set.periodic[0]) throw std::invalid_argument("a sweep along x needs an open x axis");
+  return sweep(whole_numbers(set));
 }
 
 }  // namespace oracle
