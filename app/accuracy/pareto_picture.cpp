@@ -4,13 +4,195 @@
 // Layout and style of the picture of trades. Lengths without a unit named are pixels.
 #include "accuracy/pareto_picture.hpp"
 
+#include "accuracy/log_axis.hpp"
 #include "accuracy/ten_times.hpp"
 #include "draw/svg.hpp"
 
-namespace accuracy {
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <iterator>
 
-std::string pareto_picture(const std::vector<Knob> &, const std::vector<TradePoint> &) {
-  const draw::Svg svg(100, 100);
+namespace accuracy {
+namespace {
+
+constexpr double kMargin = 24;
+constexpr double kPlotWidth = 330, kPlotHeight = 250;
+constexpr double kLeft = 62;    // for the numbers beside the vertical axis
+constexpr double kTop = 52;     // for the title
+constexpr double kBottom = 44;  // for the numbers and the name of the horizontal axis
+constexpr double kStrip = 46;   // where points without error stand
+constexpr double kLegendRow = 19;
+constexpr std::size_t kColumns = 3;
+
+const std::array<const char *, 6> kColors = {"#1c6ea4", "#d46254", "#3e347a", "#2f8f6b", "#c98a1b", "#7a7a7a"};
+const std::string kFont = "font-family=\"Helvetica, Arial, sans-serif\" fill=\"#222\" ";
+const std::string kSmall = kFont + "font-size=\"11\" ";
+
+// One kind of error of one knob: a series for each system.
+struct Panel {
+  std::string title, error_of;
+  std::vector<std::vector<TradePoint>> series;
+};
+
+bool has_error(const TradePoint &point) { return point.error > 0; }
+
+std::vector<Panel> panels_of(const std::vector<Knob> &knobs, const std::vector<TradePoint> &points) {
+  std::vector<Panel> panels;
+  for (const Knob &knob : knobs) {
+    const std::size_t first = panels.size();
+    for (const std::vector<TradePoint> &series : series_of(points)) {
+      if (series[0].knob != knob.name) continue;
+      const auto begin = panels.begin() + static_cast<std::ptrdiff_t>(first);
+      auto panel = std::find_if(begin, panels.end(), [&](const Panel &p) { return p.error_of == series[0].error_of; });
+      if (panel == panels.end()) panel = panels.insert(panel, {knob.title, series[0].error_of, {}});
+      panel->series.push_back(series);
+    }
+  }
+  // Where nothing is ever wrong there is no trade to draw.
+  const auto is_exact = [](const Panel &panel) {
+    return std::none_of(panel.series.begin(), panel.series.end(),
+                        [](const auto &s) { return std::any_of(s.begin(), s.end(), has_error); });
+  };
+  panels.erase(std::remove_if(panels.begin(), panels.end(), is_exact), panels.end());
+  return panels;
+}
+
+std::string tick_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, value < 1e-3 || value > 99999 ? "%.0e" : "%g", value);
+  return text;
+}
+
+std::vector<double> errors_of(const Panel &panel) {
+  std::vector<double> values;
+  for (const auto &series : panel.series) {
+    for (const TradePoint &p : series) {
+      if (has_error(p)) values.push_back(p.error);
+    }
+  }
+  return values;
+}
+
+std::vector<double> costs_of(const Panel &panel) {
+  std::vector<double> values;
+  for (const auto &series : panel.series) {
+    for (const TradePoint &p : series) values.push_back(p.cost);
+  }
+  return values;
+}
+
+// A panel with its axes, its plot's upper left corner at `corner`.
+class Plot {
+ public:
+  Plot(const Panel &panel, draw::Point corner)
+      : panel_(panel),
+        frame_{corner.x, corner.y, kPlotWidth, kPlotHeight},
+        errors_(errors_of(panel), corner.x + kStrip, corner.x + kPlotWidth),
+        costs_(costs_of(panel), corner.y + kPlotHeight, corner.y) {}
+
+  void draw(draw::Svg &svg) const {
+    draw_axes(svg);
+    for (std::size_t k = 0; k < panel_.series.size(); ++k)
+      draw_series(svg, panel_.series[k], kColors[k % kColors.size()]);
+    draw_labels(svg);
+    draw_legend(svg);
+  }
+
+ private:
+  draw::Point place(const TradePoint &p) const {
+    return {has_error(p) ? errors_.place(p.error) : frame_.x + 0.5 * kStrip, costs_.place(p.cost)};
+  }
+
+  void draw_axes(draw::Svg &svg) const {
+    const double bottom = frame_.y + frame_.height, right = frame_.x + frame_.width;
+    const std::string grid = "stroke=\"#e2e2e2\" stroke-width=\"1\"";
+    svg.text({frame_.x, frame_.y - 26}, panel_.title, kFont + "font-size=\"14\" font-weight=\"bold\"");
+    svg.text({frame_.x, frame_.y - 9}, "ns per particle", kSmall);
+    svg.rectangle({frame_.x, frame_.y, kStrip, frame_.height}, "fill=\"#f3f1ea\"");
+    for (const double cost : costs_.ticks()) {
+      const double y = costs_.place(cost);
+      svg.line({frame_.x, y}, {right, y}, grid);
+      svg.text({frame_.x - 6, y + 4}, tick_text(cost), kSmall + "text-anchor=\"end\"");
+    }
+    for (const double error : errors_.ticks()) {
+      const double x = errors_.place(error);
+      svg.line({x, frame_.y}, {x, bottom}, grid);
+      svg.text({x, bottom + 15}, tick_text(error), kSmall + "text-anchor=\"middle\"");
+    }
+    svg.text({frame_.x + 0.5 * kStrip, bottom + 15}, "none", kSmall + "text-anchor=\"middle\"");
+    svg.text({right, bottom + 32}, "error: " + panel_.error_of, kSmall + "text-anchor=\"end\"");
+    svg.rectangle(frame_, "fill=\"none\" stroke=\"#222\" stroke-width=\"1\"");
+  }
+
+  // The front is a line; settings off the front are pale.
+  void draw_series(draw::Svg &svg, const std::vector<TradePoint> &series, const std::string &color) const {
+    const std::vector<TradePoint> front = pareto_front(series);
+    for (std::size_t k = 0; k + 1 < front.size(); ++k) {
+      svg.line(place(front[k]), place(front[k + 1]), "stroke=\"" + color + "\" stroke-width=\"1.5\"");
+    }
+    for (const TradePoint &p : series) {
+      const bool best = std::any_of(front.begin(), front.end(), [&](const auto &f) { return f.setting == p.setting; });
+      const std::string fill = "fill=\"" + color + "\" fill-opacity=\"" + (best ? "1" : "0.4") + "\"";
+      svg.circle(place(p), 4, fill);
+      if (p.is_default) svg.circle(place(p), 7.5, "fill=\"none\" stroke=\"" + color + "\" stroke-width=\"1.5\"");
+    }
+  }
+
+  // Names of settings, of one series only: the others' would hide each other.
+  void draw_labels(draw::Svg &svg) const {
+    const std::vector<TradePoint> *longest = &panel_.series[0];
+    for (const auto &series : panel_.series) {
+      if (pareto_front(series).size() > pareto_front(*longest).size()) longest = &series;
+    }
+    std::vector<draw::Point> taken;
+    for (const TradePoint &p : *longest) {
+      const draw::Point at = place(p);
+      const bool crowded = std::any_of(taken.begin(), taken.end(), [&](const draw::Point &other) {
+        return std::abs(other.y - at.y) < 11 && std::abs(other.x - at.x) < 110;
+      });
+      if (crowded) continue;
+      taken.push_back(at);
+      const bool left = at.x > frame_.x + 0.62 * frame_.width;
+      svg.text({at.x + (left ? -10 : 10), at.y - 5}, p.setting,
+               kFont + "font-size=\"10\" fill-opacity=\"0.8\" text-anchor=\"" + (left ? "end" : "start") + "\"");
+    }
+  }
+
+  void draw_legend(draw::Svg &svg) const {
+    double y = frame_.y + frame_.height + kBottom + 14;
+    for (std::size_t k = 0; k < panel_.series.size(); ++k, y += kLegendRow) {
+      svg.circle({frame_.x + 6, y - 4}, 4, "fill=\"" + std::string(kColors[k % kColors.size()]) + "\"");
+      svg.text({frame_.x + 18, y}, panel_.series[k][0].system, kSmall);
+    }
+  }
+
+  const Panel &panel_;
+  draw::Frame frame_;
+  LogAxis errors_, costs_;
+};
+
+}  // namespace
+
+std::string pareto_picture(const std::vector<Knob> &knobs, const std::vector<TradePoint> &points) {
+  const std::vector<Panel> panels = panels_of(knobs, points);
+  std::size_t most_series = 0;
+  for (const Panel &panel : panels) most_series = std::max(most_series, panel.series.size());
+  const double cell_width = kLeft + kPlotWidth + kMargin;
+  const double cell_height = kTop + kPlotHeight + kBottom + 24 + kLegendRow * static_cast<double>(most_series);
+  const std::size_t columns = std::max<std::size_t>(1, std::min(kColumns, panels.size()));
+  const std::size_t rows = (panels.size() + columns - 1) / columns;
+  const double width = kMargin + cell_width * static_cast<double>(columns);
+  const double height = 2 * kMargin + cell_height * static_cast<double>(rows);
+  draw::Svg svg(width, height);
+  svg.rectangle({0, 0, width, height}, "fill=\"#ffffff\"");
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    const draw::Point corner{kMargin + kLeft + cell_width * static_cast<double>(k % columns),
+                             kMargin + kTop + cell_height * static_cast<double>(k / columns)};
+    Plot(panels[k], corner).draw(svg);
+  }
+  svg.text({kMargin, height - kMargin},
+           "Line: settings that no other beats in both. Ring: the default. Shaded: no error at all.", kSmall);
   return svg.document();
 }
 

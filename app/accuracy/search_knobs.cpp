@@ -4,6 +4,9 @@
 // The list of the search's knobs.
 #include "accuracy/search_knobs.hpp"
 
+#include "accuracy/level_knob.hpp"
+#include "accuracy/optimiser_knob.hpp"
+#include "accuracy/prefilter_knob.hpp"
 #include "accuracy/rule_knob.hpp"
 #include "accuracy/skin_knob.hpp"
 
@@ -21,7 +24,20 @@ const std::vector<Knob> &search_knobs() {
        "distance. Error: contacts missed against a fresh search in each step, and the deepest of them, its overlap "
        "over "
        "the smaller radius. Time: per step.",
-       measure_skins}};
+       measure_skins},
+      {"optimiser", "How the levels are looked for",
+       "Appendix A of the paper. Error: cost f = L (m + K), K = 0.3, of the levels chosen, all radii counted, over the "
+       "least cost less 1. Time: that of choosing, sorting of radii included; for the library, what a build takes "
+       "longer than with the same cells given.",
+       measure_optimisers},
+      {"levels", "How many levels",
+       "`hg_grid_def.level_count`. The pairs are the same. Error: time over that of the best number of levels less 1. "
+       "Time: one search, one thread.",
+       measure_level_counts},
+      {"prefilter", "Boxes before spheres",
+       "A plain loop over candidate pairs, all that lie within sqrt(3) diameters, with and without a comparison of "
+       "bounding boxes first. Error: pairs that differ. Time: the loop alone.",
+       measure_prefilter}};
   return knobs;
 }
 

@@ -32,9 +32,7 @@ app::ParticleSet relaxed(const packing::SizeLaw &law, std::size_t count, int swe
   request.law = law;
   request.count = count;
   request.sweeps = sweeps;
-  app::ParticleSet particles = packing::make_packing(request, nullptr).particles;
-  particles.has_box = false;
-  return particles;
+  return packing::make_packing(request, nullptr).particles;
 }
 
 app::ParticleSet touching_chain(std::size_t count, double ratio) {
@@ -77,6 +75,10 @@ app::ParticleSet turned_lattice(std::size_t count) {
 
 app::ParticleSet moved(app::ParticleSet particles, double offset) {
   for (double &x : particles.centers) x += offset;
+  for (int k = 0; k < particles.dimension && particles.has_box; ++k) {
+    particles.box_min[k] += offset;
+    particles.box_max[k] += offset;
+  }
   return particles;
 }
 

@@ -24,7 +24,7 @@ app::ParticleSet touching_chain(std::size_t count, double ratio);
 // coordinates are rounded.
 app::ParticleSet turned_lattice(std::size_t count);
 
-// All centres moved by `offset` on each axis, and rounded.
+// All centres, and the box, moved by `offset` on each axis, and rounded.
 app::ParticleSet moved(app::ParticleSet particles, double offset);
 
 }  // namespace accuracy

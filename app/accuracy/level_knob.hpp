@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How many levels the grid has.
+#ifndef APP_ACCURACY_LEVEL_KNOB_HPP
+#define APP_ACCURACY_LEVEL_KNOB_HPP
+
+#include "accuracy/trade.hpp"
+
+#include <vector>
+
+namespace accuracy {
+
+std::vector<TradePoint> measure_level_counts(const Budget &budget, const Progress &progress);
+
+}  // namespace accuracy
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How the cheapest levels are looked for: by bisection or on a grid, among all radii or a sample of them.
+#ifndef APP_ACCURACY_OPTIMISER_KNOB_HPP
+#define APP_ACCURACY_OPTIMISER_KNOB_HPP
+
+#include "accuracy/trade.hpp"
+
+#include <vector>
+
+namespace accuracy {
+
+std::vector<TradePoint> measure_optimisers(const Budget &budget, const Progress &progress);
+
+}  // namespace accuracy
+
+#endif
