@@ -8,6 +8,7 @@
 #include "measure/search_timer.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -37,6 +38,24 @@ Timers timers_of(const app::ParticleSet &particles) {
   return timers;
 }
 
+TradePoint point_of(const std::string &system, measure::SearchTimer &timer, measure::SearchTimer &best, double count) {
+  const auto levels = static_cast<double>(timer.grid().levels().count);
+  const auto best_levels = static_cast<double>(best.grid().levels().count);
+  TradePoint point;
+  point.knob = "levels";
+  point.system = system;
+  point.setting = std::to_string(timer.grid().levels().count) + (levels > 1 ? " levels" : " level");
+  point.error_of = "levels off the best number";
+  point.error = std::fabs(levels - best_levels) / best_levels;
+  point.cost = 1e9 * timer.median_seconds() / count;
+  char note[100];
+  std::snprintf(note, sizeof note, "%.0f %% above the least time, %.1f candidates per particle",
+                100 * (timer.median_seconds() / best.median_seconds() - 1),
+                static_cast<double>(timer.grid().stats().candidate_count) / count);
+  point.note = note;
+  return point;
+}
+
 void measure_system(const std::string &system, const app::ParticleSet &particles, int repeats,
                     std::vector<TradePoint> &points) {
   const Timers timers = timers_of(particles);
@@ -46,24 +65,11 @@ void measure_system(const std::string &system, const app::ParticleSet &particles
     }
   }
   const auto quicker = [](const auto &a, const auto &b) { return a->median_seconds() < b->median_seconds(); };
-  const double best = (*std::min_element(timers.begin(), timers.end(), quicker))->median_seconds();
+  measure::SearchTimer &best = **std::min_element(timers.begin(), timers.end(), quicker);
   const std::size_t chosen = timer_of(particles, 0)->grid().levels().count;
-  const auto count = static_cast<double>(particles.count());
   for (const auto &timer : timers) {
-    const std::size_t levels = timer->grid().levels().count;
-    TradePoint point;
-    point.knob = "levels";
-    point.system = system;
-    point.setting = std::to_string(levels) + (levels == 1 ? " level" : " levels");
-    point.error_of = "time above the least";
-    point.error = timer->median_seconds() / best - 1;
-    point.cost = 1e9 * timer->median_seconds() / count;
-    point.is_default = levels == chosen;
-    char note[60];
-    std::snprintf(note, sizeof note, "%.1f candidates per particle",
-                  static_cast<double>(timer->grid().stats().candidate_count) / count);
-    point.note = note;
-    points.push_back(point);
+    points.push_back(point_of(system, *timer, best, static_cast<double>(particles.count())));
+    points.back().is_default = timer->grid().levels().count == chosen;
   }
 }
 

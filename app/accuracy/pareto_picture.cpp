@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <iterator>
 
 namespace accuracy {
 namespace {
@@ -23,6 +22,7 @@ constexpr double kTop = 52;     // for the title
 constexpr double kBottom = 44;  // for the numbers and the name of the horizontal axis
 constexpr double kStrip = 46;   // where points without error stand
 constexpr double kLegendRow = 19;
+constexpr double kLetterWidth = 5.2;  // of a label, on average
 constexpr std::size_t kColumns = 3;
 
 const std::array<const char *, 6> kColors = {"#1c6ea4", "#d46254", "#3e347a", "#2f8f6b", "#c98a1b", "#7a7a7a"};
@@ -62,6 +62,10 @@ std::string tick_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, value < 1e-3 || value > 99999 ? "%.0e" : "%g", value);
   return text;
+}
+
+bool meet(const draw::Frame &a, const draw::Frame &b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
 std::vector<double> errors_of(const Panel &panel) {
@@ -139,23 +143,34 @@ class Plot {
     }
   }
 
-  // Names of settings, of one series only: the others' would hide each other.
+  // Names of settings, of one series only: the others' would hide each other. The front's and the default's come first.
   void draw_labels(draw::Svg &svg) const {
     const std::vector<TradePoint> *longest = &panel_.series[0];
     for (const auto &series : panel_.series) {
       if (pareto_front(series).size() > pareto_front(*longest).size()) longest = &series;
     }
-    std::vector<draw::Point> taken;
-    for (const TradePoint &p : *longest) {
-      const draw::Point at = place(p);
-      const bool crowded = std::any_of(taken.begin(), taken.end(), [&](const draw::Point &other) {
-        return std::abs(other.y - at.y) < 11 && std::abs(other.x - at.x) < 110;
-      });
-      if (crowded) continue;
-      taken.push_back(at);
-      const bool left = at.x > frame_.x + 0.62 * frame_.width;
-      svg.text({at.x + (left ? -10 : 10), at.y - 5}, p.setting,
-               kFont + "font-size=\"10\" fill-opacity=\"0.8\" text-anchor=\"" + (left ? "end" : "start") + "\"");
+    std::vector<TradePoint> order = pareto_front(*longest);
+    for (const bool only_default : {true, false}) {
+      for (const TradePoint &p : *longest) {
+        if (!only_default || p.is_default) order.push_back(p);
+      }
+    }
+    std::vector<draw::Frame> taken;
+    for (const TradePoint &p : order) draw_label(svg, p, taken);
+  }
+
+  // Right of the point, else left of it, unless another label is in the way on both sides.
+  void draw_label(draw::Svg &svg, const TradePoint &point, std::vector<draw::Frame> &taken) const {
+    const draw::Point at = place(point);
+    const double width = kLetterWidth * static_cast<double>(point.setting.size());
+    for (const bool right : {true, false}) {
+      const draw::Frame label{right ? at.x + 10 : at.x - 10 - width, at.y - 14, width, 11};
+      const bool inside = label.x > frame_.x && label.x + width < frame_.x + frame_.width && label.y > frame_.y;
+      const bool hidden = std::any_of(taken.begin(), taken.end(), [&](const auto &t) { return meet(t, label); });
+      if (!inside || hidden) continue;
+      taken.push_back(label);
+      svg.text({label.x, at.y - 5}, point.setting, kFont + "font-size=\"10\" fill-opacity=\"0.8\"");
+      return;
     }
   }
 

@@ -31,8 +31,8 @@ const std::vector<Knob> &search_knobs() {
        "longer than with the same cells given.",
        measure_optimisers},
       {"levels", "How many levels",
-       "`hg_grid_def.level_count`. The pairs are the same. Error: time over that of the best number of levels less 1. "
-       "Time: one search, one thread.",
+       "`hg_grid_def.level_count`. The pairs are the same. Error: how far from the fastest number of levels, over "
+       "that number. Time: one search, one thread.",
        measure_level_counts},
       {"prefilter", "Boxes before spheres",
        "A plain loop over candidate pairs, all that lie within sqrt(3) diameters, with and without a comparison of "

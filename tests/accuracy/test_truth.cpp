@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The judge of `hgrid accuracy`: its sweep against looking at every pair, what it says of an injected fault, and of the
+// library.
+#include "../app/cmocka_cpp.hpp"
+#include "accuracy/rule_knob.hpp"
+#include "accuracy/systems.hpp"
+#include "truth/particles.hpp"
+
+#include <hgrid/hgrid.h>
+
+#include <cstdio>
+
+namespace {
+
+const std::vector<app::ParticleSet> &systems() {
+  static const std::vector<app::ParticleSet> all = {
+      accuracy::relaxed({packing::Law::kUniformVolume, 20, 3}, 600),
+      accuracy::moved(accuracy::relaxed({packing::Law::kMono, 1, 3}, 500), 1e9), accuracy::touching_chain(600, 1e6),
+      accuracy::turned_lattice(500)};
+  return all;
+}
+
+oracle::Pairs swept(const app::ParticleSet &particles) { return oracle::swept_pairs(oracle::set_of(particles)); }
+
+bool sweep_is_complete() {
+  for (const app::ParticleSet &particles : systems()) {
+    const oracle::Pairs all = overlapping_pairs(oracle::set_of(particles), oracle::Arithmetic::kWhole);
+    if (all.empty() || swept(particles) != all) return false;
+  }
+  return true;
+}
+
+void the_sweep_finds_what_all_pairs_hold(void **) {
+  const bool ok = sweep_is_complete();
+  assert_true(ok);
+}
+
+// A pair taken out and another put in are named, in whatever order the list is.
+bool faults_are_found() {
+  const oracle::Pairs truth = swept(systems()[0]);
+  oracle::Pairs found(truth.rbegin(), truth.rend());
+  const auto lost = found[found.size() / 2];
+  found[found.size() / 2] = found.front();  // once more instead
+  const oracle::Difference wrong = oracle::difference(truth, found);
+  return wrong.missing == oracle::Pairs{lost} && wrong.extra == oracle::Pairs{found.front()} &&
+         oracle::difference(truth, truth).missing.empty() && oracle::difference(truth, truth).extra.empty();
+}
+
+void an_injected_fault_is_found(void **) {
+  const bool ok = faults_are_found();
+  assert_true(ok);
+}
+
+// HG_EXACT is never wrong, HG_FLOAT never misses; the lattice shows that the judge does see wrong pairs.
+bool rules_keep_their_promise() {
+  for (const app::ParticleSet &particles : systems()) {
+    const oracle::Pairs truth = swept(particles);
+    const oracle::Difference exact = oracle::difference(truth, accuracy::found_pairs(particles, HG_EXACT));
+    const oracle::Difference with_float = oracle::difference(truth, accuracy::found_pairs(particles, HG_FLOAT));
+    if (!exact.missing.empty() || !exact.extra.empty() || !with_float.missing.empty()) return false;
+  }
+  const app::ParticleSet &lattice = systems().back();
+  const oracle::Difference wrong = oracle::difference(swept(lattice), accuracy::found_pairs(lattice, HG_DOUBLE));
+  std::printf("HG_DOUBLE on the lattice: %zu missing, %zu extra\n", wrong.missing.size(), wrong.extra.size());
+  return !wrong.missing.empty() && !wrong.extra.empty();
+}
+
+void the_library_keeps_its_promise(void **) {
+  const bool ok = rules_keep_their_promise();
+  assert_true(ok);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {cmocka_unit_test(the_sweep_finds_what_all_pairs_hold),
+                              cmocka_unit_test(an_injected_fault_is_found),
+                              cmocka_unit_test(the_library_keeps_its_promise)};
+  return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
