@@ -67,13 +67,43 @@ std::string heading(const std::string &title, Style style) {
                                    : title + "\n" + std::string(width_of(title), '-') + "\n\n";
 }
 
+void add_once(std::vector<std::string> &list, const std::string &text) {
+  if (!text.empty() && std::find(list.begin(), list.end(), text) == list.end()) list.push_back(text);
+}
+
+// A setting of a system, whatever kinds of error were measured in the same run.
+bool same_run(const TradePoint &a, const TradePoint &b) {
+  return a.system == b.system && a.setting == b.setting && a.cost == b.cost;
+}
+
+Row row_of(const std::vector<TradePoint> &run, const std::vector<std::string> &kinds) {
+  Row row = {run[0].system, run[0].setting + (run[0].is_default ? " (default)" : "")};
+  for (const std::string &kind : kinds) {
+    const auto found = std::find_if(run.begin(), run.end(), [&](const TradePoint &p) { return p.error_of == kind; });
+    row.push_back(found == run.end() ? "" : error_text(found->error));
+  }
+  row.push_back(cost_text(run[0].cost));
+  std::vector<std::string> notes;
+  for (const TradePoint &p : run) add_once(notes, p.note);
+  row.emplace_back();
+  for (const std::string &note : notes) row.back() += (row.back().empty() ? "" : "; ") + note;
+  return row;
+}
+
+// One row for each setting, one column for each kind of error.
 std::string knob_table(const Knob &knob, const std::vector<TradePoint> &points, Style style) {
-  std::vector<Row> rows = {{"system", "setting", "error of", "error", "ns", "note"}};
+  std::vector<std::string> kinds;
+  std::vector<std::vector<TradePoint>> runs;
   for (const TradePoint &p : points) {
     if (p.knob != knob.name) continue;
-    rows.push_back({p.system, p.setting + (p.is_default ? " (default)" : ""), p.error_of, error_text(p.error),
-                    cost_text(p.cost), p.note});
+    add_once(kinds, p.error_of);
+    if (runs.empty() || !same_run(runs.back()[0], p)) runs.emplace_back();
+    runs.back().push_back(p);
   }
+  std::vector<Row> rows = {{"system", "setting"}};
+  rows[0].insert(rows[0].end(), kinds.begin(), kinds.end());
+  rows[0].insert(rows[0].end(), {"ns", "note"});
+  for (const auto &run : runs) rows.push_back(row_of(run, kinds));
   return heading(knob.title, style) + knob.about + "\n\n" + table_of(rows, style) + "\n";
 }
 
