@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <optional>
 
 namespace accuracy {
 namespace {
@@ -107,11 +108,13 @@ class LibraryChoice {
     told_seconds_.push_back(build_seconds(told_));
   }
 
-  TradePoint point(const std::string &system, const char *name, const Sizes &all, double least) {
+  // None where the difference drowns in the noise.
+  std::optional<TradePoint> point(const std::string &system, const char *name, const Sizes &all, double least) {
+    const double seconds = measure::median(asked_seconds_) - measure::median(told_seconds_);
+    if (!(seconds > 0)) return std::nullopt;
     std::vector<double> edges;
     for (const hg_level &level : asked_.levels()) edges.push_back(level.largest_radius);
     TradePoint point = point_with(system, name, cost_of_edges(all, edges, kPaperOverhead) / least - 1);
-    const double seconds = measure::median(asked_seconds_) - measure::median(told_seconds_);
     point.cost = 1e9 * seconds / static_cast<double>(particles_.count());
     point.note = std::to_string(edges.size()) + " levels";
     return point;
@@ -150,7 +153,7 @@ class LibraryChoice {
 };
 
 void measure_system(const std::string &name, const app::ParticleSet &particles, const Budget &budget,
-                    std::vector<TradePoint> &points) {
+                    const Progress &progress, std::vector<TradePoint> &points) {
   std::vector<Way> ways = ways_of(particles, budget);
   LibraryChoice paper(particles, HG_LEVELS_PAPER), automatic(particles, HG_LEVELS_AUTO);
   hgrid_sim::Random random(2);
@@ -162,8 +165,16 @@ void measure_system(const std::string &name, const app::ParticleSet &particles, 
   const Sizes all = sizes_of(particles, particles.radii);
   const double least = cheapest_by_bisection(all, kPaperOverhead).cost;
   for (const Way &way : ways) points.push_back(point_of(name, way, all, least));
-  points.push_back(paper.point(name, "library, HG_LEVELS_PAPER", all, least));
-  points.push_back(automatic.point(name, "library, HG_LEVELS_AUTO with K = 0.3", all, least));
+  const auto add = [&](LibraryChoice &choice, const char *way) {
+    const std::optional<TradePoint> point = choice.point(name, way, all, least);
+    if (point) {
+      points.push_back(*point);
+    } else {
+      progress(name + ", " + way + ": too quick to be told from noise, left out");
+    }
+  };
+  add(paper, "library, HG_LEVELS_PAPER");
+  add(automatic, "library, HG_LEVELS_AUTO with K = 0.3");
 }
 
 }  // namespace
@@ -176,7 +187,7 @@ std::vector<TradePoint> measure_optimisers(const Budget &budget, const Progress 
   std::vector<TradePoint> points;
   for (const auto &[name, law] : systems) {
     progress(name);
-    measure_system(name, relaxed(law, budget.timed_count, 0), budget, points);
+    measure_system(name, relaxed(law, budget.timed_count, 0), budget, progress, points);
   }
   return points;
 }

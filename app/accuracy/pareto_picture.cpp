@@ -122,7 +122,8 @@ class Plot {
     for (const double error : errors_.ticks()) {
       const double x = errors_.place(error);
       svg.line({x, frame_.y}, {x, bottom}, grid);
-      svg.text({x, bottom + 15}, tick_text(error), kSmall + "text-anchor=\"middle\"");
+      const bool crowded = x < frame_.x + kStrip + 14;  // by the word under the strip
+      if (!crowded) svg.text({x, bottom + 15}, tick_text(error), kSmall + "text-anchor=\"middle\"");
     }
     svg.text({frame_.x + 0.5 * kStrip, bottom + 15}, "none", kSmall + "text-anchor=\"middle\"");
     svg.text({right, bottom + 32}, "error: " + panel_.error_of, kSmall + "text-anchor=\"end\"");

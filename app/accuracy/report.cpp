@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Tables of measured trades: as text, as Markdown and as CSV.
+// Tables of measured trades, as text and as Markdown.
 #include "accuracy/report.hpp"
 
 #include "accuracy/ten_times.hpp"
-#include "output.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -56,15 +55,6 @@ std::string markdown_table(const std::vector<Row> &rows) {
     table += "|\n";
   }
   return table;
-}
-
-std::string table_of(const std::vector<Row> &rows, Style style) {
-  return style == Style::kMarkdown ? markdown_table(rows) : text_table(rows);
-}
-
-std::string heading(const std::string &title, Style style) {
-  return style == Style::kMarkdown ? "### " + title + "\n\n"
-                                   : title + "\n" + std::string(width_of(title), '-') + "\n\n";
 }
 
 void add_once(std::vector<std::string> &list, const std::string &text) {
@@ -132,31 +122,21 @@ std::string ten_times_table(const std::vector<TradePoint> &points, Style style) 
   return heading("What ten times more accuracy costs", style) + table_of(rows, style);
 }
 
-// Quoted where it must be.
-std::string csv_field(const std::string &text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + "\"";
+}  // namespace
+
+std::string table_of(const std::vector<Row> &rows, Style style) {
+  return style == Style::kMarkdown ? markdown_table(rows) : text_table(rows);
 }
 
-}  // namespace
+std::string heading(const std::string &title, Style style) {
+  return style == Style::kMarkdown ? "### " + title + "\n\n"
+                                   : title + "\n" + std::string(width_of(title), '-') + "\n\n";
+}
 
 std::string report(const std::vector<Knob> &knobs, const std::vector<TradePoint> &points, Style style) {
   std::string text = ten_times_table(points, style) + "\n";
   for (const Knob &knob : knobs) text += knob_table(knob, points, style);
   return text;
-}
-
-void write_csv(const std::string &path, const std::vector<TradePoint> &points) {
-  app::Output out(path);
-  out << "knob,system,setting,error_of,error,ns,is_default,note\n";
-  for (const TradePoint &p : points) {
-    out << csv_field(p.knob) << ',' << csv_field(p.system) << ',' << csv_field(p.setting) << ','
-        << csv_field(p.error_of) << ',' << p.error << ',' << p.cost << ',' << (p.is_default ? '1' : '0') << ','
-        << csv_field(p.note) << '\n';
-  }
-  out.close();
 }
 
 }  // namespace accuracy

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Tables of measured trades: as text, as Markdown and as CSV.
+// Tables of measured trades, as text and as Markdown.
 #ifndef APP_ACCURACY_REPORT_HPP
 #define APP_ACCURACY_REPORT_HPP
 
@@ -14,11 +14,12 @@ namespace accuracy {
 
 enum class Style { kText, kMarkdown };
 
+// Rows of cells, the first the heads of the columns.
+std::string table_of(const std::vector<std::vector<std::string>> &rows, Style style);
+std::string heading(const std::string &title, Style style);
+
 // A table for each knob, and the one of what ten times more accuracy costs.
 std::string report(const std::vector<Knob> &knobs, const std::vector<TradePoint> &points, Style style);
-
-// One line per point: knob,system,setting,error_of,error,ns,is_default,note.
-void write_csv(const std::string &path, const std::vector<TradePoint> &points);
 
 }  // namespace accuracy
 

@@ -21,7 +21,8 @@ struct TradePoint {
   double error = 0;      // relative, >= 0; 0: none at all
   double cost = 0;       // ns per particle, and per step where there are steps
   bool is_default = false;
-  std::string note;  // counts behind the error, for tables
+  std::string note;   // counts behind the error, for tables
+  double number = 0;  // the setting as a number, where a law in it is expected
 };
 
 // How much to measure.

@@ -3,6 +3,7 @@
 
 // `hgrid accuracy`: what accuracy costs in time, for every knob that trades one for the other.
 #include "accuracy/pareto_picture.hpp"
+#include "accuracy/points_file.hpp"
 #include "accuracy/report.hpp"
 #include "accuracy/search_knobs.hpp"
 #include "accuracy/trade.hpp"
@@ -24,7 +25,7 @@ struct AccuracyOptions {
   std::vector<std::string> knobs;
   accuracy::Budget budget;
   bool markdown = false;
-  std::string csv, svg;
+  std::string from, csv, svg;
 };
 
 std::vector<accuracy::Knob> chosen_knobs(const AccuracyOptions &options) {
@@ -45,24 +46,40 @@ void write_text(const std::string &path, const std::string &text) {
   out.close();
 }
 
-void run_accuracy(AccuracyOptions options) {
-  if (options.budget.quick) {
-    options.budget.timed_count = std::min<std::size_t>(options.budget.timed_count, 5000);
-    options.budget.truth_count = std::min<std::size_t>(options.budget.truth_count, 600);
-    options.budget.repeats = std::min(options.budget.repeats, 3);
+std::vector<accuracy::TradePoint> measured_points(accuracy::Budget budget, const std::vector<accuracy::Knob> &knobs) {
+  if (budget.quick) {
+    budget.timed_count = std::min<std::size_t>(budget.timed_count, 5000);
+    budget.truth_count = std::min<std::size_t>(budget.truth_count, 600);
+    budget.repeats = std::min(budget.repeats, 3);
   }
-  const std::vector<accuracy::Knob> knobs = chosen_knobs(options);
   std::vector<accuracy::TradePoint> points;
   for (const accuracy::Knob &knob : knobs) {
     const auto progress = [&](const std::string &what) {
       std::fprintf(stderr, "hgrid accuracy: %s: %s\n", knob.name, what.c_str());
     };
-    const std::vector<accuracy::TradePoint> found = knob.measure(options.budget, progress);
+    const std::vector<accuracy::TradePoint> found = knob.measure(budget, progress);
     points.insert(points.end(), found.begin(), found.end());
   }
+  return points;
+}
+
+// Of the points of a file those that belong to the knobs.
+std::vector<accuracy::TradePoint> kept_points(const std::string &path, const std::vector<accuracy::Knob> &knobs) {
+  std::vector<accuracy::TradePoint> points;
+  for (accuracy::TradePoint &point : accuracy::read_points(path)) {
+    const auto is_its = [&](const accuracy::Knob &knob) { return point.knob == knob.name; };
+    if (std::any_of(knobs.begin(), knobs.end(), is_its)) points.push_back(std::move(point));
+  }
+  return points;
+}
+
+void run_accuracy(const AccuracyOptions &options) {
+  const std::vector<accuracy::Knob> knobs = chosen_knobs(options);
+  const std::vector<accuracy::TradePoint> points =
+      options.from.empty() ? measured_points(options.budget, knobs) : kept_points(options.from, knobs);
   const accuracy::Style style = options.markdown ? accuracy::Style::kMarkdown : accuracy::Style::kText;
   write_text("-", report(knobs, points, style));
-  if (!options.csv.empty()) accuracy::write_csv(options.csv, points);
+  if (!options.csv.empty()) accuracy::write_points(options.csv, points);
   if (!options.svg.empty()) write_text(options.svg, pareto_picture(knobs, points));
 }
 
@@ -84,6 +101,7 @@ void add_accuracy(CLI::App &parent) {
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   command->add_flag("--markdown", options->markdown, "Tables in Markdown");
+  command->add_option("--from", options->from, "Measure nothing: tell the points that --csv wrote to this file");
   command->add_option("--csv", options->csv, "Also write all points to this file");
   command->add_option("--svg", options->svg, "Also draw error against time to this file");
   std::string footer = "Knobs:\n";

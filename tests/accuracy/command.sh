@@ -35,8 +35,19 @@ widths = {line.count("|") - 1 for line in open("report.md") if line.startswith("
 assert widths == {5, 6, 8}, widths  # one kind of error, two, and the table of what ten times more accuracy costs
 END
 
+# The points of a file are told as they were when measured.
+"$hgrid" accuracy --from points.csv --csv again.csv --svg again.svg --markdown >again.md 2>err.txt
+cmp points.csv again.csv
+cmp picture.svg again.svg
+cmp report.md again.md
+[[ ! -s err.txt ]]
+
 status=0
 "$hgrid" accuracy --knob nonsense >out.txt 2>err.txt || status=$?
 [[ $status == 2 ]] && grep -qF "'nonsense' is no knob" err.txt
+status=0
+printf 'knob,system,setting,number,error_of,error,ns,is_default,note\na,b,c,0,d,often,1,0,\n' >wrong.csv
+"$hgrid" accuracy --from wrong.csv >out.txt 2>err.txt || status=$?
+[[ $status == 1 ]] && grep -qF "wrong.csv:2: 'often' in column 'error' is not a number" err.txt
 "$hgrid" accuracy --quick --repeats 1 --knob prefilter --csv one.csv >out.txt 2>err.txt
 [[ $(cut -d, -f1 one.csv | sort -u | tr '\n' ' ') == "knob prefilter " ]]
