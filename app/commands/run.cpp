@@ -120,7 +120,11 @@ class Run {
   const RunLine &line() const { return line_; }
 
  private:
-  bool is_time(std::uint64_t interval) const { return interval > 0 && engine_.steps_done() % interval == 0; }
+  // The last step is always one, since intervals are rounded to steps and need not end there.
+  bool is_time(std::uint64_t interval) const {
+    const std::uint64_t step = engine_.steps_done();
+    return interval > 0 && (step % interval == 0 || step == scene_.steps);
+  }
 
   void record() {
     const std::uint64_t step = engine_.steps_done();
@@ -179,7 +183,7 @@ void run_scene(const RunOptions &options) {
   if (!options.restart.empty()) engine->restore(dem::Checkpoint::read(options.restart));
   print_scene(scene, options.scene);
   std::fflush(stdout);
-  output::Recorder recorder(scene.output.directory, scene.output.formats, scene.setup, !options.restart.empty());
+  output::Recorder recorder(scene.output.directory, scene.output.formats, scene.setup, engine->steps_done());
   const Interrupt interrupt;
   Run run(scene, *engine, recorder, interrupt, options.quiet);
   run.go();

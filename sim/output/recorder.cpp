@@ -9,31 +9,56 @@
 #include "sim/output/xyz.hpp"
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 namespace output {
+namespace {
+
+constexpr const char *kHeader =
+    "step,time,energy,translation,rotation,contact,gravity,contacts,wall_contacts,largest_overlap";
+
+// Pictures sort by step, by name too.
+std::string picture_name(std::uint64_t step, const std::string &format) {
+  char name[48];
+  std::snprintf(name, sizeof name, "state-%012llu.", static_cast<unsigned long long>(step));
+  return name + format;
+}
+
+// The table up to a step, with its header; the header alone if there is none.
+std::string table_until(const std::string &path, std::uint64_t done) {
+  std::string kept = std::string(kHeader) + '\n', line;
+  std::ifstream table(path);
+  std::getline(table, line);
+  while (std::getline(table, line) && std::strtoull(line.c_str(), nullptr, 10) <= done) kept += line + '\n';
+  return kept;
+}
+
+}  // namespace
 
 Recorder::Recorder(const std::string &directory, const std::vector<std::string> &formats, const dem::Setup &setup,
-                   bool continued)
+                   std::uint64_t done)
     : directory_(directory), formats_(formats), setup_(&setup) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw dem::Error(directory + ": cannot make this folder: " + error.message());
   const std::string path = directory + "/energy.csv";
-  const bool fresh = !continued || !std::filesystem::exists(path);
-  table_.reset(std::fopen(path.c_str(), fresh ? "w" : "a"));
-  if (!table_) throw dem::Error(path + ": cannot write: " + std::strerror(errno));
-  if (fresh) {
-    std::fputs("step,time,energy,translation,rotation,contact,gravity,contacts,wall_contacts,largest_overlap\n",
-               table_.get());
+  const std::string kept = done > 0 ? table_until(path, done) : std::string(kHeader) + '\n';
+  table_.reset(std::fopen(path.c_str(), "w"));
+  if (!table_ || std::fputs(kept.c_str(), table_.get()) < 0) {
+    throw dem::Error(path + ": cannot write: " + std::strerror(errno));
+  }
+  if (done == 0) return;
+  for (const TimedFile &file : read_pvd(directory_ + "/states.pvd")) {
+    if (file.name <= picture_name(done, "vtp")) animation_.push_back(file);
   }
 }
 
 void Recorder::picture(std::uint64_t step, const dem::Snapshot &state) {
-  char name[48];
   for (const std::string &format : formats_) {
-    std::snprintf(name, sizeof name, "state-%012llu.%s", static_cast<unsigned long long>(step), format.c_str());
+    const std::string name = picture_name(step, format);
     const std::string path = directory_ + "/" + name;
     if (format == "xyz") {
       write_xyz(path, *setup_, state);

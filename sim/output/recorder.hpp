@@ -8,6 +8,7 @@
 #include "sim/dem/engine.hpp"
 #include "sim/output/vtp.hpp"
 
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -16,11 +17,14 @@
 namespace output {
 
 // All files lie in one folder, which is made if it is not there. A run that goes on from a checkpoint adds to the
-// table; pictures carry the number of their step. Throws std::runtime_error if something cannot be written.
+// table and the list of pictures; pictures carry the number of their step. Throws std::runtime_error if something
+// cannot be written.
 class Recorder {
  public:
+  // `done`: the step that the run goes on from, 0 for a new one. What an earlier run has entered for later steps, past
+  // its last checkpoint, is dropped, since it comes again.
   Recorder(const std::string &directory, const std::vector<std::string> &formats, const dem::Setup &setup,
-           bool continued);
+           std::uint64_t done);
 
   void picture(std::uint64_t step, const dem::Snapshot &state);
   void energies(std::uint64_t step, const dem::Measurement &measurement);

@@ -117,4 +117,17 @@ void write_pvd(const std::string &path, const std::vector<TimedFile> &files) {
   save(document, path);
 }
 
+std::vector<TimedFile> read_pvd(const std::string &path) {
+  std::vector<TimedFile> files;
+  pugi::xml_document document;
+  const pugi::xml_parse_result parsed = document.load_file(path.c_str());
+  if (parsed.status == pugi::status_file_not_found) return files;
+  const pugi::xml_node collection = document.child("VTKFile").child("Collection");
+  if (!parsed || !collection) throw dem::Error(path + ": is no list of VTK files");
+  for (const pugi::xml_node entry : collection.children("DataSet")) {
+    files.push_back({entry.attribute("timestep").as_double(), entry.attribute("file").as_string()});
+  }
+  return files;
+}
+
 }  // namespace output

@@ -21,6 +21,8 @@ struct TimedFile {
   std::string name;  // relative to the list
 };
 void write_pvd(const std::string &path, const std::vector<TimedFile> &files);
+// Empty if there is no such file; throws dem::Error if it is something else.
+std::vector<TimedFile> read_pvd(const std::string &path);
 
 }  // namespace output
 

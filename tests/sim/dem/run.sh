@@ -59,6 +59,21 @@ last=$(basename "$(ls whole/state-*.xyz | tail -1)")
 cmp "whole/$last" "part/$last" || fail "the restarted run ended elsewhere"
 cmp <(tail -1 whole/energy.csv) <(tail -1 part/energy.csv) || fail "the restarted run has another energy"
 
+# Ctrl-C in the middle: a checkpoint and whole files; going on from it leaves the folder of an undisturbed run.
+"$hgrid" run busy.toml --quiet --steps 1000000000 --output stopped >/dev/null 2>err.txt &
+running=$!
+until [[ -e stopped/energy.csv && $(wc -l <stopped/energy.csv) -ge 40 ]]; do
+  kill -0 "$running" 2>/dev/null || break
+done
+kill -INT "$running"
+wait "$running" && fail "an interrupted run ended with exit code 0"
+step=$(sed -n 's/.*interrupted at step \([0-9]*\); go on with hgrid run .* --restart stopped.checkpoint$/\1/p' err.txt)
+[[ $step -gt 100 ]] || fail "an interrupted run says: $(cat err.txt)"
+echo "$((step + 3)),1,1,1,1,1,1,1,1,1" >>stopped/energy.csv # as of a run that was killed later than its last checkpoint
+"$hgrid" run busy.toml --quiet --steps $((step + 20)) --restart stopped/checkpoint --output stopped >/dev/null
+"$hgrid" run busy.toml --quiet --steps $((step + 20)) --output undisturbed >/dev/null
+diff -r stopped undisturbed || fail "interrupted at step $step and restarted: another folder than undisturbed"
+
 # Refusals: exit code 1, the file and line, no trace of success.
 sed 's/restitution = 0.8/restitutoin = 0.8/' busy.toml >wrong.toml
 if "$hgrid" run wrong.toml >out.txt 2>err.txt; then fail "a wrong key was taken"; fi
