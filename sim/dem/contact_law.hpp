@@ -104,8 +104,9 @@ NormalForce<Real> normal_force(const ContactLaw<Real> &law, const Meeting<Real> 
   return force;
 }
 
-// Spring and slider of Cundall and Strack: `stretch` is what the spring remembers, `velocity` the relative velocity in
-// the tangent plane of `normal`, `limit` the most that the slider bears. Returns the force against the motion.
+// Spring and dashpot side by side, in series with the slider of Cundall and Strack: `stretch` is what the spring
+// remembers, `velocity` the relative velocity in the tangent plane of `normal`, `limit` the most that the slider bears.
+// Returns the force against the motion.
 template <int D, class Real>
 Vec<D, Real> slider_force(Vec<D, Real> &stretch, const Vec<D, Real> &normal, const Vec<D, Real> &velocity, Real step,
                           Real stiffness, Real damping, Real limit) {
@@ -114,15 +115,19 @@ Vec<D, Real> slider_force(Vec<D, Real> &stretch, const Vec<D, Real> &normal, con
     return stretch;
   }
   stretch -= normal * normal.dot(stretch);  // the contact has turned since the last step
-  stretch += velocity * step;
-  Vec<D, Real> force = -stiffness * stretch - damping * velocity;
+  const Vec<D, Real> stretched = stretch + velocity * step;
+  Vec<D, Real> force = -stiffness * stretched - damping * velocity;
   const Real size = force.norm();
-  if (size > limit) {
-    force *= limit / size;
-    // While the surfaces slide the spring alone bears the limit. Were the dashpot's share taken out of it, a spring
-    // whose stiffness changes with the overlap would turn that share into a force of its own.
-    if (stiffness > 0) stretch = -force / stiffness;
+  if (!(size > limit)) {
+    stretch = stretched;
+    return force;
   }
+  // While the surfaces slide, spring and dashpot bear the limit together, so the spring follows at the rate that the
+  // dashpot allows. Were it put where it bears the limit alone, a contact would be wound up further than it has moved,
+  // and gain energy.
+  force *= limit / size;
+  const Real firmness = damping + stiffness * step;
+  if (firmness > 0) stretch = (damping * stretch - step * force) / firmness;
   return force;
 }
 

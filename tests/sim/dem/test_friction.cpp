@@ -7,7 +7,7 @@
 // A sphere that hits with normal speed v and tangential slip u of its surface, sliding to the end, takes the tangential
 // impulse mu (1 + e) v per mass against the slip: the speed falls by it, the spin by 5/2 of it over r.
 #include "../../app/cmocka_cpp.hpp"
-#include "bodies.hpp"
+#include "oblique.hpp"
 
 #include <cstdio>
 
@@ -24,55 +24,41 @@ struct Rebound {
   }
 };
 
-dem::Setup rough_hertz(double young, double poisson, double restitution, double friction) {
-  dem::Setup setup;
-  setup.effects = dem::kHertz | dem::kDissipation | dem::kFriction;
-  setup.contact.young_modulus = young;
-  setup.contact.poisson_ratio = poisson;
-  setup.contact.restitution = restitution;
-  setup.contact.friction = friction;
-  return setup;
-}
-
-// Against the rigid wall x = 0 from the right, with tangential speed along y and spin about z. The surface slips with
-// v_y - r w.
-Rebound against_wall(dem::Setup setup, double radius, double density, double normal, double tangential, double spin) {
-  bodies::set_walls(setup, 0, 0, 100 * radius);
-  bodies::add(setup, {1.001 * radius, 0, 0}, {-normal, tangential, 0}, radius, bodies::ball_mass(radius, density),
-              {0, 0, spin});
-  setup.impact_speed = normal;
-  bodies::set_steps_per_contact(setup, kSteps);
-  const dem::Snapshot after = bodies::follow_collision(setup, static_cast<std::size_t>(20 * kSteps)).after;
-  const double slip = tangential - radius * spin > 0 ? 1 : -1;
-  const double impulse = setup.contact.friction * (1 + setup.contact.restitution) * normal;
-  return {after.velocities[1], after.spins[2], tangential - slip * impulse, spin + slip * 2.5 * impulse / radius};
+Rebound slide_along_wall(const dem::Setup &law, const oblique::Impact &impact) {
+  const oblique::Motion after = oblique::rebound_of(oblique::against_wall(law, impact), kSteps);
+  const double slip = impact.tangential - impact.radius * impact.spin > 0 ? 1 : -1;
+  const double impulse = law.contact.friction * (1 + law.contact.restitution) * impact.normal;
+  return {after.tangential, after.spin, impact.tangential - slip * impulse,
+          impact.spin + slip * 2.5 * impulse / impact.radius};
 }
 
 void chung_ooi_test_4_oblique_impact(void **) {
   // Alumina at 3.9 m/s. Beyond tan(angle) = 7/2 mu (1 + e), 33 degrees, the contact slides throughout.
   for (const double degrees : {40.0, 60.0, 80.0}) {
     const double angle = degrees * bodies::kPi / 180;
-    const Rebound rebound = against_wall(rough_hertz(380e9, 0.23, 0.98, 0.092), 0.0025, 4000, 3.9 * std::cos(angle),
-                                         3.9 * std::sin(angle), 0);
-    assert_true(rebound.is_near(3.9));
+    const oblique::Impact impact{0.0025, bodies::ball_mass(0.0025, 4000), 3.9 * std::cos(angle), 3.9 * std::sin(angle),
+                                 0};
+    assert_true(slide_along_wall(oblique::rough_hertz(380e9, 0.23, 0.98, 0.092), impact).is_near(3.9));
   }
 }
 
 void chung_ooi_test_5_fast_tangential_impact(void **) {
   for (const double tangential : {3.0, 5.0, 10.0}) {
-    assert_true(against_wall(rough_hertz(70e9, 0.33, 0.5, 0.4), 0.1, 2700, 1, tangential, 0).is_near(1));
+    const oblique::Impact impact{0.1, bodies::ball_mass(0.1, 2700), 1, tangential, 0};
+    assert_true(slide_along_wall(oblique::rough_hertz(70e9, 0.33, 0.5, 0.4), impact).is_near(1));
   }
 }
 
 void chung_ooi_test_6_spinning_impact(void **) {
   for (const double spin : {10.0, 22.0}) {
-    assert_true(against_wall(rough_hertz(70e9, 0.33, 0.5, 0.4), 0.1, 2700, 0.2, 0, spin).is_near(0.2));
+    const oblique::Impact impact{0.1, bodies::ball_mass(0.1, 2700), 0.2, 0, spin};
+    assert_true(slide_along_wall(oblique::rough_hertz(70e9, 0.33, 0.5, 0.4), impact).is_near(0.2));
   }
 }
 
 // Test 7: equal spheres, equal spins: the surfaces slip with 2 r w. Test 8: the second is far larger.
 Rebound spinning_pair(double radius_b, double spin_b, double young, double poisson, double density) {
-  dem::Setup setup = rough_hertz(young, poisson, 0.5, 0.4);
+  dem::Setup setup = oblique::rough_hertz(young, poisson, 0.5, 0.4);
   const double r = 0.1, v = 0.2, spin = 10;
   const double mass_a = bodies::ball_mass(r, density), mass_b = bodies::ball_mass(radius_b, density);
   bodies::add(setup, {0, 0, 0}, {v, 0, 0}, r, mass_a, {0, 0, spin});
@@ -96,7 +82,7 @@ void chung_ooi_test_8_unequal_spheres(void **) {
 
 // Opposite spins of equal spheres do not slip: nothing tangential happens.
 void opposite_spins_roll_off(void **) {
-  dem::Setup setup = rough_hertz(70e9, 0.33, 0.5, 0.4);
+  dem::Setup setup = oblique::rough_hertz(70e9, 0.33, 0.5, 0.4);
   const double mass = bodies::ball_mass(0.1, 2700);
   bodies::add(setup, {0, 0, 0}, {0.2, 0, 0}, 0.1, mass, {0, 0, 10});
   bodies::add(setup, {0.2001, 0, 0}, {-0.2, 0, 0}, 0.1, mass, {0, 0, -10});
