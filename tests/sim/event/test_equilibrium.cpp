@@ -9,6 +9,7 @@
 #include "sim/event/fluid.hpp"
 #include "sim/event/growth.hpp"
 #include "sim/random.hpp"
+#include "tests/sim/hard_spheres.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -117,26 +118,6 @@ void the_formula_for_mixtures(void **) {
   assert_true(ok);
 }
 
-// Boublik's and Mansoori's contact values, and the rate of collisions of hard spheres with them.
-double mixture_rate(const std::vector<double> &sizes, const std::vector<double> &counts, double density, double edge) {
-  double number = 0, xi2 = 0, sum = 0;
-  const double volume = edge * edge * edge;
-  for (std::size_t a = 0; a < sizes.size(); ++a) {
-    number += counts[a];
-    xi2 += M_PI / 6 * counts[a] / volume * 4 * sizes[a] * sizes[a];
-  }
-  for (std::size_t a = 0; a < sizes.size(); ++a) {
-    for (std::size_t b = 0; b < sizes.size(); ++b) {
-      const double q = 2 * sizes[a] * sizes[b] / (sizes[a] + sizes[b]), free = 1 - density;
-      const double g = 1 / free + 3 * xi2 * q / (free * free) + 2 * xi2 * xi2 * q * q / (free * free * free);
-      const double m_a = std::pow(sizes[a], 3), m_b = std::pow(sizes[b], 3), mu = m_a * m_b / (m_a + m_b);
-      const double reach = sizes[a] + sizes[b];
-      sum += counts[a] * counts[b] / volume * reach * reach * g * std::sqrt(8 * M_PI / mu);
-    }
-  }
-  return sum / number;
-}
-
 bool is_mixture(double density) {
   std::vector<double> radii(2000, 1.0), masses(2000, 1.0);
   for (std::size_t i = 0; i < 200; ++i) {
@@ -145,7 +126,8 @@ bool is_mixture(double density) {
   }
   const Measured found = measure(radii, density, true, 60, masses);
   return within("Z", found.compressibility, Fluid(radii, 3).compressibility(density), 0.02) &&
-         within("rate", found.rate, mixture_rate({1, 3}, {1800, 200}, density, edge_of(radii, density)), 0.02);
+         within("rate", found.rate, theory::HardSpheres(radii, std::pow(edge_of(radii, density), 3)).rate(masses),
+                0.02);
 }
 
 void mixture(void **) {
