@@ -34,8 +34,8 @@ dem::Setup elastic_gas(int dimension, dem::EffectSet effects) {
   return bodies::make_gas(gas, kSeed);
 }
 
-// A collision keeps a shadow energy near the true one; what is left is a random walk of about n^-3 per collision
-// (docs/simulation.md), here 1e-5 times the root of their number.
+// A contact keeps a shadow energy, which differs by a part of n^-2 from the true one; collisions leave a random walk of
+// that size (long_run.cpp).
 void elastic_gases_keep_their_energy(void **) {
   for (const int dimension : {2, 3}) {
     dem::Setup walled = elastic_gas(dimension, 0);
