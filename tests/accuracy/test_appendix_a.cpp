@@ -87,9 +87,9 @@ void levels_are_those_of_the_reference(void **) {
 }
 
 // On the grid the least m is that of bisection rounded up, so the levels can be told in advance.
-bool grid_rounds_up() {
+bool grid_rounds_up(const SizeLaw &law, std::size_t levels_expected) {
+  const accuracy::Sizes sizes = sizes_of(law, 20000);
   for (const double step : {1e-3, 1e-2}) {
-    const accuracy::Sizes sizes = sizes_of({Law::kUniformVolume, 50, 3});
     const accuracy::Choice found = accuracy::cheapest_on_grid(sizes, 0.3, step);
     double least = HUGE_VAL;
     std::size_t fewest = 0;
@@ -100,14 +100,15 @@ bool grid_rounds_up() {
       if (cost < least) fewest = ends.size();
       least = std::min(least, cost);
     }
-    if (!near(found.cost, least, 1e-12) || found.ends.size() != fewest) return false;
+    if (!near(found.cost, least, 1e-12) || found.ends.size() != fewest || fewest != levels_expected) return false;
   }
   return true;
 }
 
 void the_grid_is_bisection_rounded_up(void **) {
-  const bool ok = grid_rounds_up();
-  assert_true(ok);
+  const bool many = grid_rounds_up({Law::kUniformVolume, 50, 3}, 7);
+  const bool one = grid_rounds_up({Law::kUniformSize, 1.1, 3}, 1);  // the last on the grid
+  assert_true(many && one);
 }
 
 // Levels chosen for all cost what they should; those for every second radius, the largest among them, a little more.

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Fronts and their slopes on made-up points whose answer is known.
+// Fronts, their slopes, their picture and their file, on made-up points whose answer is known.
 #include "../app/cmocka_cpp.hpp"
 #include "accuracy/pareto_picture.hpp"
+#include "accuracy/points_file.hpp"
 #include "accuracy/ten_times.hpp"
+
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
@@ -109,12 +112,35 @@ void the_picture_holds_all_points(void **) {
   assert_true(ok);
 }
 
+bool same(const TradePoint &a, const TradePoint &b) {
+  return a.knob == b.knob && a.system == b.system && a.setting == b.setting && a.error_of == b.error_of &&
+         a.error == b.error && a.cost == b.cost && a.is_default == b.is_default && a.note == b.note &&
+         a.number == b.number;
+}
+
+// Whatever letters they hold.
+bool points_survive() {
+  std::vector<TradePoint> points = {point("plain", 1.0 / 3, 1e-7, true), point("a, \"b\", c", 0, 12)};
+  points[0].note = "\"\"";
+  points[1].number = -0.1;
+  const std::string name = "points_" + std::to_string(getpid()) + ".csv";
+  accuracy::write_points(name, points);
+  const std::vector<TradePoint> again = accuracy::read_points(name);
+  std::remove(name.c_str());
+  return again.size() == 2 && same(points[0], again[0]) && same(points[1], again[1]);
+}
+
+void points_survive_a_file(void **) {
+  const bool ok = points_survive();
+  assert_true(ok);
+}
+
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(slopes_along_the_front), cmocka_unit_test(accuracy_can_be_free),
-                              cmocka_unit_test(ties_prefer_the_default),
-                              cmocka_unit_test(knobs_systems_and_errors_are_not_mixed),
-                              cmocka_unit_test(the_picture_holds_all_points)};
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(slopes_along_the_front),       cmocka_unit_test(accuracy_can_be_free),
+      cmocka_unit_test(ties_prefer_the_default),      cmocka_unit_test(knobs_systems_and_errors_are_not_mixed),
+      cmocka_unit_test(the_picture_holds_all_points), cmocka_unit_test(points_survive_a_file)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
