@@ -3,8 +3,9 @@
 
 // The commands of the program: each adds itself, its options and what it does to the parent.
 //
-// A command sets a callback on its own subcommand and reports failure by throwing app::Error (exit code 1) or, for
-// options that do not fit together, CLI::ValidationError (exit code 2).
+// A command sets a callback on its own subcommand and reports failure by throwing app::Error or, from the simulation
+// and the library, hgrid_sim::Error (exit code 1), or, for options that do not fit together, CLI::ValidationError (exit
+// code 2).
 #ifndef APP_COMMAND_HPP
 #define APP_COMMAND_HPP
 

@@ -1,25 +1,20 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A grid of the library with C++ manners: freed by its destructor, failures thrown as Error.
+// A grid of the library with C++ manners: freed by its destructor, failures thrown as hgrid_sim::Error.
 #ifndef APP_GRID_HANDLE_HPP
 #define APP_GRID_HANDLE_HPP
 
-#include "error.hpp"
 #include "particles/particle_set.hpp"
+#include "sim/grid_pointer.hpp"
 
 #include <hgrid/hgrid.h>
 
 #include <cstddef>
-#include <memory>
-#include <string>
 
 namespace app {
 
-// Throws what the library says about its last failure unless `status` is HG_OK.
-inline void check(hg_status status) {
-  if (status != HG_OK) throw Error(std::string(hg_status_string(status)) + ": " + hg_last_error());
-}
+inline void check(hg_status status) { hgrid_sim::require(status); }
 
 // A borrowed array of the library: valid until the grid changes.
 template <typename T>
@@ -32,11 +27,7 @@ struct Borrowed {
 
 class Grid {
  public:
-  explicit Grid(const hg_grid_def &def) {
-    hg_grid *grid = nullptr;
-    check(hg_create(&def, &grid));
-    grid_.reset(grid);
-  }
+  explicit Grid(const hg_grid_def &def) : grid_(hgrid_sim::create_grid(def)) {}
 
   void insert(const ParticleSet &particles) {
     check(hg_insert(get(), particles.count(), particles.centers.data(), particles.radii.data()));
@@ -71,10 +62,7 @@ class Grid {
   hg_grid *get() const { return grid_.get(); }
 
  private:
-  struct Destroy {
-    void operator()(hg_grid *grid) const { hg_destroy(grid); }
-  };
-  std::unique_ptr<hg_grid, Destroy> grid_;
+  hgrid_sim::GridPointer grid_;
 };
 
 }  // namespace app

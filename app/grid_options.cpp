@@ -5,6 +5,7 @@
 #include "grid_options.hpp"
 
 #include "arguments.hpp"
+#include "error.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -103,7 +104,7 @@ Grid filled_grid(const GridOptions &options, const ParticleSet &particles, const
     Grid grid(grid_def(options, particles, cell_sizes));
     grid.insert(particles);
     return grid;
-  } catch (const Error &error) {
+  } catch (const hgrid_sim::Error &error) {
     throw Error(file, 0, error.what());
   }
 }

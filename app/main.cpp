@@ -5,6 +5,7 @@
 #include "command.hpp"
 #include "error.hpp"
 #include "output.hpp"
+#include "sim/error.hpp"
 
 #include <hgrid/hgrid.h>
 
@@ -83,6 +84,8 @@ int main(int argc, char **argv) {
   try {
     return run(argc, argv);
   } catch (const app::Error &error) {
+    std::fprintf(stderr, "hgrid: %s\n", error.what());
+  } catch (const hgrid_sim::Error &error) {
     std::fprintf(stderr, "hgrid: %s\n", error.what());
   } catch (const std::bad_alloc &) {
     std::fputs("hgrid: not enough memory\n", stderr);

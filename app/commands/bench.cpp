@@ -5,6 +5,7 @@
 // steps.
 #include "bench_steps.hpp"
 #include "command.hpp"
+#include "error.hpp"
 #include "grid_options.hpp"
 #include "measure/search_timer.hpp"
 #include "output.hpp"

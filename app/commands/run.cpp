@@ -207,13 +207,7 @@ void add_run(CLI::App &parent) {
   command->add_option("--skin", options->skin, "Instead of the scene's")->check(CLI::NonNegativeNumber);
   command->add_option("--steps", options->steps, "Last step, instead of the scene's end");
   command->add_flag("--quiet", options->quiet, "No line about the progress");
-  command->callback([options] {
-    try {
-      run_scene(*options);
-    } catch (const dem::Error &error) {
-      throw Error(error.what());
-    }
-  });
+  command->callback([options] { run_scene(*options); });
 }
 
 }  // namespace app

@@ -3,9 +3,7 @@
 
 // `hgrid scenes`: the scenes that come with the program, and what a scene can say.
 #include "command.hpp"
-#include "error.hpp"
 #include "output.hpp"
-#include "sim/dem/error.hpp"
 #include "sim/scene/keys.hpp"
 #include "sim/scene/shipped.hpp"
 
@@ -40,13 +38,7 @@ void add_scenes(CLI::App &parent) {
   CLI::App *command = parent.add_subcommand("scenes", "List the scenes that come with hgrid, or what a scene can say");
   command->add_option("FOLDER", options->folder, "Scenes of this folder instead");
   command->add_flag("--keys", options->keys, "Every table and key of a scene with its meaning");
-  command->callback([options] {
-    try {
-      list_scenes(*options);
-    } catch (const dem::Error &error) {
-      throw Error(error.what());
-    }
-  });
+  command->callback([options] { list_scenes(*options); });
 }
 
 }  // namespace app

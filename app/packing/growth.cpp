@@ -6,7 +6,6 @@
 
 #include "error.hpp"
 #include "sim/box.hpp"
-#include "sim/error.hpp"
 #include "sim/event/overlaps.hpp"
 
 #include <string>
@@ -40,12 +39,8 @@ GrownPacking grow_packing(const Request &request, double rate, const event::Grow
   wanted.seed = beginning.random.next();
   wanted.rate = rate;
   GrownPacking packing;
-  try {
-    packing.growth = event::grow(box, wanted, observe);
-    require_no_overlaps(box, packing.growth);
-  } catch (const hgrid_sim::Error &error) {
-    throw app::Error(error.what());
-  }
+  packing.growth = event::grow(box, wanted, observe);
+  require_no_overlaps(box, packing.growth);
   packing.particles = beginning.container.empty_set();
   packing.particles.radii = packing.growth.radii;
   for (const hgrid_sim::Vector &center : packing.growth.centers) {

@@ -19,7 +19,7 @@ struct GrownPacking {
 
 // Checks the request (its sweeps do not count) and grows the packing at `rate`, 0 for the usual one. If the growth was
 // stopped or jammed, the particles are smaller, but do not overlap either. The same request gives the same bytes on any
-// machine. Throws app::Error, also if the library finds an overlap in the end.
+// machine. Throws hgrid_sim::Error, and app::Error if the library finds an overlap in the end.
 GrownPacking grow_packing(const Request &request, double rate, const hgrid_sim::event::GrowthObserver &observe);
 
 }  // namespace packing

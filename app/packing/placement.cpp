@@ -4,6 +4,7 @@
 // Particles thrown class by class, from the largest radii down, against a grid that holds the larger classes.
 #include "packing/placement.hpp"
 
+#include "error.hpp"
 #include "grid_handle.hpp"
 #include "packing/grid_def.hpp"
 #include "packing/relaxation.hpp"
