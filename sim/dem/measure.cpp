@@ -96,6 +96,8 @@ void measure_pairs(const Setup &setup, const Boundary<D, double> &boundary, cons
   for (std::size_t p = 0; p < contacts.pairs.count; ++p) {
     const auto a = static_cast<std::size_t>(contacts.pairs.data[p].a);
     const auto b = static_cast<std::size_t>(contacts.pairs.data[p].b);
+    // Neighbours in a wall of fixed particles may overlap as they like: nothing comes of it.
+    if (!std::isfinite(state.masses[a]) && !std::isfinite(state.masses[b])) continue;
     const Vector<D> between = row<D>(state.centers, b) - row<D>(state.centers, a);
     const double distance = nearest<D>(boundary, setup.effects, between).norm();
     const double overlap = state.radii[a] + state.radii[b] - distance;

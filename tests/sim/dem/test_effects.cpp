@@ -172,6 +172,21 @@ void growth_follows_the_clock(void **) {
   assert_true(std::fabs(mass - 2 * 1.728) < 1e-11);
 }
 
+// Fixed particles that overlap are a wall, not contacts.
+void fixed_neighbours_do_not_count(void **) {
+  dem::Setup setup;
+  bodies::set_linear(setup, 1e4);
+  bodies::add(setup, {0, 0, 0}, {0, 0, 0}, 1, dem::kImmovable);
+  bodies::add(setup, {1.5, 0, 0}, {0, 0, 0}, 1, dem::kImmovable);
+  bodies::add(setup, {0.75, 1.8, 0}, {0, 0, 0}, 1, 1);
+  setup.time_step = 1e-4;
+  const dem::Measurement m = dem::make_engine(setup)->measure();
+  const double overlap = 2 - std::hypot(0.75, 1.8);
+  assert_int_equal(m.contacts, 2);
+  assert_true(std::fabs(m.contact / (2 * 0.5 * 1e4 * overlap * overlap) - 1) < 1e-12);
+  assert_true(std::fabs(m.largest_overlap / overlap - 1) < 1e-12);
+}
+
 std::string error_of(const dem::Setup &setup) {
   try {
     dem::make_engine(setup);
@@ -232,6 +247,7 @@ int main() {
       cmocka_unit_test(a_ball_bounces_to_e_squared),
       cmocka_unit_test(newtons_cradle_passes_on_most_of_the_push),
       cmocka_unit_test(growth_follows_the_clock),
+      cmocka_unit_test(fixed_neighbours_do_not_count),
       cmocka_unit_test(impossible_combinations_are_named),
       cmocka_unit_test(too_large_a_step_is_refused_with_the_limit),
       cmocka_unit_test(bad_particles_are_named),
