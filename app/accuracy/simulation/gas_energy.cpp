@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How well an elastic gas keeps its energy.
+#include "accuracy/simulation/gas_energy.hpp"
+
+#include "accuracy/simulation/collision_laws.hpp"
+#include "accuracy/simulation/oscillator.hpp"
+#include "sim/dem/time_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace accuracy {
+namespace {
+
+// By then the lattice has melted: each sphere has met a few others.
+constexpr double kContactsToMelt = 100;
+
+// n of the lightest two over that of a pair, squared, averaged over pairs with 1 / sqrt(mu) as weight: pairs meet as
+// often as that.
+double mean_square_of_step(const dem::Setup &gas) {
+  const double lightest = 0.5 * *std::min_element(gas.masses.begin(), gas.masses.end());
+  double sum = 0, weights = 0;
+  for (const double a : gas.masses) {
+    for (const double b : gas.masses) {
+      const double mass = a * b / (a + b), weight = 1 / std::sqrt(mass);
+      sum += weight * std::pow(lightest / mass, 2);
+      weights += weight;
+    }
+  }
+  return sum / weights;
+}
+
+}  // namespace
+
+EnergyErrors energy_errors(const EnergyCase &what) {
+  dem::Setup gas = elastic_gas(what.gas);
+  gas.scheme = what.scheme;
+  gas.time_step = dem::shortest_contact(gas) / what.steps;
+  gas.skin = 0.2;
+  const auto engine = dem::make_engine(gas, what.precision);
+  engine->run(static_cast<std::uint64_t>(kContactsToMelt * what.steps));
+  const double first = engine->measure().energy();
+  EnergyErrors result;
+  double before = first, squares = 0;
+  for (int look = 0; look < what.looks; ++look) {
+    engine->run(static_cast<std::uint64_t>(what.contacts_between * what.steps));
+    const double now = engine->measure().energy();
+    squares += std::pow(now - before, 2);
+    result.largest = std::max(result.largest, std::fabs(now / first - 1));
+    before = now;
+  }
+  result.change = std::sqrt(squares / what.looks) / first;
+  result.drift = std::fabs(before / first - 1);
+  return result;
+}
+
+// The energy K of the approach has the mean square 2 kT^2. The energy of N spheres is 1.5 N kT.
+//   collisions: each changes it by 2 (e - 1) K, a random walk of N rate t / 2 of them
+//   symplectic Euler shows velocities half a step off: in contact the energy is off by K (pi / 2 n) sin(2 phase), in
+//   two looks with N rate t_c / 2 contacts each
+PowerLaw energy_change_law(const EnergyCase &what) {
+  const dem::Setup gas = elastic_gas(what.gas);
+  const auto count = static_cast<double>(gas.count());
+  const double met = collision_rate(what.gas, gas) * dem::shortest_contact(gas);  // per sphere and t_c
+  if (what.scheme.order == 1) return {1, kPi / 2 * std::sqrt(count * met) / (1.5 * count)};
+  const PowerLaw collision = any_step_restitution_law(what.scheme);
+  const double collisions = count * met * what.contacts_between / 2;
+  const double squares = collisions * 2 * mean_square_of_step(gas);
+  return {collision.order, 2 * collision.factor * std::sqrt(squares) / (1.5 * count)};
+}
+
+}  // namespace accuracy

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// How well an elastic gas keeps its energy.
+#ifndef APP_ACCURACY_SIMULATION_GAS_ENERGY_HPP
+#define APP_ACCURACY_SIMULATION_GAS_ENERGY_HPP
+
+#include "accuracy/simulation/elastic_gas.hpp"
+#include "accuracy/simulation/power_law.hpp"
+#include "sim/dem/engine.hpp"
+
+namespace accuracy {
+
+struct EnergyCase {
+  GasCase gas;
+  dem::Scheme scheme = dem::velocity_verlet();
+  double steps = 50;  // per contact of the lightest two
+  dem::Precision precision = dem::Precision::kDouble;
+  double contacts_between = 25;  // time between two looks, in t_c
+  int looks = 80;
+};
+
+// Relative to the energy at the start.
+struct EnergyErrors {
+  double change = 0;   // rms from one look to the next
+  double drift = 0;    // from first to last look
+  double largest = 0;  // distance from the first look's
+};
+
+EnergyErrors energy_errors(const EnergyCase &what);
+
+// The rms change that kinetic theory and the laws of single collisions predict for a gas with a mass spread, to leading
+// order: of symplectic Euler from the velocities it shows during contacts, of other schemes from collisions.
+PowerLaw energy_change_law(const EnergyCase &what);
+
+}  // namespace accuracy
+
+#endif
