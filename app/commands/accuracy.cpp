@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // `hgrid accuracy`: what accuracy costs in time, for every knob that trades one for the other.
+#include "accuracy/law_report.hpp"
 #include "accuracy/pareto_picture.hpp"
 #include "accuracy/points_file.hpp"
 #include "accuracy/report.hpp"
 #include "accuracy/search_knobs.hpp"
+#include "accuracy/simulation_knobs.hpp"
 #include "accuracy/trade.hpp"
 #include "command.hpp"
 #include "output.hpp"
@@ -23,13 +25,14 @@ namespace {
 
 struct AccuracyOptions {
   std::vector<std::string> knobs;
+  bool simulation = false;
   accuracy::Budget budget;
   bool markdown = false;
   std::string from, csv, svg;
 };
 
 std::vector<accuracy::Knob> chosen_knobs(const AccuracyOptions &options) {
-  const std::vector<accuracy::Knob> &all = accuracy::search_knobs();
+  const std::vector<accuracy::Knob> &all = options.simulation ? accuracy::simulation_knobs() : accuracy::search_knobs();
   if (options.knobs.empty()) return all;
   std::vector<accuracy::Knob> chosen;
   for (const std::string &name : options.knobs) {
@@ -44,6 +47,20 @@ void write_text(const std::string &path, const std::string &text) {
   Output out(path);
   out << text;
   out.close();
+}
+
+// Points that follow laws are many: a row for each law says more than theirs.
+std::string text_of(std::vector<accuracy::Knob> knobs, std::vector<accuracy::TradePoint> points,
+                    accuracy::Style style) {
+  const std::string laws = law_report(points, style);
+  const auto has_law = [](const accuracy::TradePoint &point) { return accuracy::has_law(point); };
+  points.erase(std::remove_if(points.begin(), points.end(), has_law), points.end());
+  const auto is_told = [&](const accuracy::Knob &knob) {
+    return std::none_of(points.begin(), points.end(),
+                        [&](const accuracy::TradePoint &point) { return point.knob == knob.name; });
+  };
+  knobs.erase(std::remove_if(knobs.begin(), knobs.end(), is_told), knobs.end());
+  return laws + (knobs.empty() ? "" : report(knobs, points, style));
 }
 
 std::vector<accuracy::TradePoint> measured_points(accuracy::Budget budget, const std::vector<accuracy::Knob> &knobs) {
@@ -78,9 +95,15 @@ void run_accuracy(const AccuracyOptions &options) {
   const std::vector<accuracy::TradePoint> points =
       options.from.empty() ? measured_points(options.budget, knobs) : kept_points(options.from, knobs);
   const accuracy::Style style = options.markdown ? accuracy::Style::kMarkdown : accuracy::Style::kText;
-  write_text("-", report(knobs, points, style));
+  write_text("-", text_of(knobs, points, style));
   if (!options.csv.empty()) accuracy::write_points(options.csv, points);
   if (!options.svg.empty()) write_text(options.svg, pareto_picture(knobs, points));
+}
+
+std::string list_of(const std::vector<accuracy::Knob> &knobs) {
+  std::string list;
+  for (const accuracy::Knob &knob : knobs) list += "  " + std::string(knob.name) + ": " + knob.title + "\n";
+  return list;
 }
 
 }  // namespace
@@ -104,11 +127,9 @@ void add_accuracy(CLI::App &parent) {
   command->add_option("--from", options->from, "Measure nothing: tell the points that --csv wrote to this file");
   command->add_option("--csv", options->csv, "Also write all points to this file");
   command->add_option("--svg", options->svg, "Also draw error against time to this file");
-  std::string footer = "Knobs:\n";
-  for (const accuracy::Knob &knob : accuracy::search_knobs()) {
-    footer += "  " + std::string(knob.name) + ": " + knob.title + "\n";
-  }
-  command->footer(footer);
+  command->add_flag("--simulation", options->simulation, "The knobs of the simulation instead of the search's");
+  command->footer("Knobs of the search:\n" + list_of(accuracy::search_knobs()) + "Knobs of the simulation:\n" +
+                  list_of(accuracy::simulation_knobs()));
   command->callback([options] { run_accuracy(*options); });
 }
 

@@ -88,8 +88,8 @@ PowerLaw damped_restitution_law(double restitution) {
   return {1, restitution * std::sqrt(bias * bias + 4 * damped.loss * damped.loss * s * (1 - s))};
 }
 
-// ln d = -ln omega - zeta arccos(zeta) / sqrt(1 - zeta^2) with the changes of omega and zeta, and the error of the speed
-// at meeting.
+// ln d = -ln omega - zeta arccos(zeta) / sqrt(1 - zeta^2) with the changes of omega and zeta, and the error of the
+// speed at meeting.
 PowerLaw damped_overlap_law(double restitution) {
   const Damped damped(restitution);
   const double zeta = damped.zeta, rest = 1 - zeta * zeta;

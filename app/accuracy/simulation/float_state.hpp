@@ -12,12 +12,12 @@
 namespace accuracy {
 
 struct StateErrors {
-  std::size_t pairs = 0;            // that overlap in double
-  std::size_t missed = 0;           // of them not in float
-  std::size_t extra = 0;            // in float only
-  double overlap = 0;               // rms error of the overlaps of common pairs over their rms
-  double largest_overlap = 0;       // relative error
-  double energy = 0;                // relative error
+  std::size_t pairs = 0;       // that overlap in double
+  std::size_t missed = 0;      // of them not in float
+  std::size_t extra = 0;       // in float only
+  double overlap = 0;          // rms error of the overlaps of common pairs over their rms
+  double largest_overlap = 0;  // relative error
+  double energy = 0;           // relative error
 };
 
 // Compares engines that stand at the same time. `setup` is what they were made from.

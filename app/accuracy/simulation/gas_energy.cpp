@@ -45,15 +45,14 @@ EnergyErrors energy_errors(const EnergyCase &what) {
   const double first = engine->measure().energy();
   EnergyErrors result;
   double before = first, squares = 0;
-  for (int look = 0; look < what.looks; ++look) {
-    engine->run(static_cast<std::uint64_t>(what.contacts_between * what.steps));
+  for (int span = 0; span < what.spans; ++span) {
+    engine->run(static_cast<std::uint64_t>(what.contacts_per_span * what.steps));
     const double now = engine->measure().energy();
     squares += std::pow(now - before, 2);
     result.largest = std::max(result.largest, std::fabs(now / first - 1));
     before = now;
   }
-  result.change = std::sqrt(squares / what.looks) / first;
-  result.drift = std::fabs(before / first - 1);
+  result.change = std::sqrt(squares / what.spans) / first;
   return result;
 }
 
@@ -67,7 +66,7 @@ PowerLaw energy_change_law(const EnergyCase &what) {
   const double met = collision_rate(what.gas, gas) * dem::shortest_contact(gas);  // per sphere and t_c
   if (what.scheme.order == 1) return {1, kPi / 2 * std::sqrt(count * met) / (1.5 * count)};
   const PowerLaw collision = any_step_restitution_law(what.scheme);
-  const double collisions = count * met * what.contacts_between / 2;
+  const double collisions = count * met * what.contacts_per_span / 2;
   const double squares = collisions * 2 * mean_square_of_step(gas);
   return {collision.order, 2 * collision.factor * std::sqrt(squares) / (1.5 * count)};
 }

@@ -16,15 +16,14 @@ struct EnergyCase {
   dem::Scheme scheme = dem::velocity_verlet();
   double steps = 50;  // per contact of the lightest two
   dem::Precision precision = dem::Precision::kDouble;
-  double contacts_between = 25;  // time between two looks, in t_c
-  int looks = 80;
+  double contacts_per_span = 25;  // time between two looks, in t_c
+  int spans = 80;
 };
 
 // Relative to the energy at the start.
 struct EnergyErrors {
-  double change = 0;   // rms from one look to the next
-  double drift = 0;    // from first to last look
-  double largest = 0;  // distance from the first look's
+  double change = 0;   // rms over the spans
+  double largest = 0;  // at the end of any span
 };
 
 EnergyErrors energy_errors(const EnergyCase &what);

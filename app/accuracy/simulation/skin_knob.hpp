@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The knob of the skin: how far particles may move before the library searches candidates anew.
+#ifndef APP_ACCURACY_SIMULATION_SKIN_KNOB_HPP
+#define APP_ACCURACY_SIMULATION_SKIN_KNOB_HPP
+
+#include "accuracy/trade.hpp"
+
+#include <vector>
+
+namespace accuracy {
+
+std::vector<TradePoint> measure_skins(const Budget &budget, const Progress &progress);
+
+}  // namespace accuracy
+
+#endif

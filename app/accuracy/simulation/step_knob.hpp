@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The knob of the integration scheme and its time step.
+#ifndef APP_ACCURACY_SIMULATION_STEP_KNOB_HPP
+#define APP_ACCURACY_SIMULATION_STEP_KNOB_HPP
+
+#include "accuracy/trade.hpp"
+
+#include <vector>
+
+namespace accuracy {
+
+std::vector<TradePoint> measure_steps(const Budget &budget, const Progress &progress);
+
+}  // namespace accuracy
+
+#endif

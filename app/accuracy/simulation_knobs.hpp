@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The knobs of the simulation.
+#ifndef APP_ACCURACY_SIMULATION_KNOBS_HPP
+#define APP_ACCURACY_SIMULATION_KNOBS_HPP
+
+#include "accuracy/trade.hpp"
+
+#include <vector>
+
+namespace accuracy {
+
+// In the order of the report.
+const std::vector<Knob> &simulation_knobs();
+
+}  // namespace accuracy
+
+#endif
