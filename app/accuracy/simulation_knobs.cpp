@@ -22,7 +22,7 @@ const std::vector<Knob> &simulation_knobs() {
       {"skin", "Skin of the stored candidates",
        "`run.skin` of a scene, over the smallest radius. Error: particles that are elsewhere, to the last bit, than "
        "without skin. Time: ns per particle and step.",
-       measure_skins}};
+       measure_run_skins}};
   return knobs;
 }
 

@@ -29,7 +29,7 @@ struct EnergyErrors {
 EnergyErrors energy_errors(const EnergyCase &what);
 
 // The rms change that kinetic theory and the laws of single collisions predict for a gas with a mass spread, to leading
-// order: of symplectic Euler from the velocities it shows during contacts, of other schemes from collisions.
+// order.
 PowerLaw energy_change_law(const EnergyCase &what);
 
 }  // namespace accuracy

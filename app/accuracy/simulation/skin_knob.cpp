@@ -109,7 +109,7 @@ void add_skins(const std::string &system, dem::Setup setup, int rounds, std::vec
 
 }  // namespace
 
-std::vector<TradePoint> measure_skins(const Budget &budget, const Progress &progress) {
+std::vector<TradePoint> measure_run_skins(const Budget &budget, const Progress &progress) {
   std::vector<TradePoint> points;
   const int rounds = std::min(budget.repeats, kMostRounds);
   progress("equal spheres");

@@ -11,7 +11,7 @@
 
 namespace accuracy {
 
-std::vector<TradePoint> measure_skins(const Budget &budget, const Progress &progress);
+std::vector<TradePoint> measure_run_skins(const Budget &budget, const Progress &progress);
 
 }  // namespace accuracy
 

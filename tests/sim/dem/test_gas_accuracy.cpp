@@ -17,21 +17,25 @@ namespace {
 accuracy::EnergyCase energy_case(const dem::Scheme &scheme, double steps, dem::Precision precision) {
   accuracy::EnergyCase what;
   what.gas.mass_spread = 0.3;
+  what.gas.edge = 4;
+  what.contacts_per_span = 10;
+  what.spans = 300;
   what.scheme = scheme;
   what.steps = steps;
   what.precision = precision;
   return what;
 }
 
-// 80 spans: the rms is known to 8 %, so the factor is asked for within 25 %.
+// 300 spans: the rms of each run is known to 4 %, the order to 0.04. Three spheres in contact at once are not in the
+// theory.
 bool energy_follows(const dem::Scheme &scheme) {
-  const std::vector<double> steps = {20, 40, 80};
+  const std::vector<double> steps = {20, 80};
   std::vector<double> changes;
   bool near = true;
   const accuracy::PowerLaw expected = accuracy::energy_change_law(energy_case(scheme, 0, dem::Precision::kDouble));
   for (const double n : steps) {
     changes.push_back(accuracy::energy_errors(energy_case(scheme, n, dem::Precision::kDouble)).change);
-    near = near && std::fabs(changes.back() / expected.at(n) - 1) < 0.25;
+    near = near && std::fabs(changes.back() / expected.at(n) - 1) < 0.2;
   }
   const accuracy::PowerLaw found = accuracy::fit_power_law(steps, changes);
   std::printf("%s: %.3g n^-%.3f (%.3g n^-%g)\n", scheme.name.c_str(), found.factor, found.order, expected.factor,
@@ -49,7 +53,9 @@ void energy_changes_as_kinetic_theory_has_it(void **) {
 // With large steps float is as good as double; with small ones rounding adds up.
 void float_sets_a_floor_to_the_energy_error(void **) {
   const auto change = [](double steps, dem::Precision precision) {
-    return accuracy::energy_errors(energy_case(dem::velocity_verlet(), steps, precision)).change;
+    accuracy::EnergyCase what = energy_case(dem::velocity_verlet(), steps, precision);
+    what.spans = 80;
+    return accuracy::energy_errors(what).change;
   };
   const double coarse = change(20, dem::Precision::kFloat), fine = change(160, dem::Precision::kFloat);
   std::printf("float: %.3g at n = 20, %.3g at n = 160\n", coarse, fine);
@@ -116,7 +122,7 @@ void no_skin_changes_a_bit(void **) {
   accuracy::Budget budget;
   budget.timed_count = 1000;
   budget.repeats = 1;
-  const auto points = accuracy::measure_skins(budget, [](const std::string &) {});
+  const auto points = accuracy::measure_run_skins(budget, [](const std::string &) {});
   assert_true(points.size() >= 10);
   for (const accuracy::TradePoint &point : points) assert_true(point.error == 0);
 }
