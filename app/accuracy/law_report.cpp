@@ -35,7 +35,8 @@ std::string verdict(const PowerLaw &expected, const PowerLaw &found) {
 // The default's step, with each scheme.
 const TradePoint *usual_of(const std::vector<TradePoint> &series) {
   for (const TradePoint &point : series) {
-    if (std::floor(point.number) == dem::kUsualStepsPerContact) return &point;
+    // "Any n" stands for n to n + 1, half-way on average.
+    if (std::floor(point.number + 0.25) == dem::kUsualStepsPerContact) return &point;
   }
   return nullptr;
 }
@@ -48,16 +49,16 @@ std::vector<std::string> row_of(const std::vector<TradePoint> &series) {
   }
   const PowerLaw found = fitted_law(steps, errors);
   const PowerLaw expected = expected_law(dem::scheme_of_name(series[0].system), series[0].error_of);
-  char error[32] = "", cost[32] = "", dearer[32];
+  char error[32] = "", cost[32] = "", dearer[32] = "";
   if (const TradePoint *usual = usual_of(series)) {
     std::snprintf(error, sizeof error, "%.2g", usual->error);
     std::snprintf(cost, sizeof cost, "%.0f", usual->cost);
   }
-  std::snprintf(dearer, sizeof dearer, "x %.3g", std::pow(10, 1 / found.order));
+  if (expected.order > 0) std::snprintf(dearer, sizeof dearer, "x %.3g", std::pow(10, 1 / found.order));
   return {series[0].error_of,
           series[0].system,
           law_text(expected),
-          law_text(found),
+          expected.order > 0 ? law_text(found) : "",
           verdict(expected, found),
           error,
           cost,

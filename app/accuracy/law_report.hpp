@@ -20,8 +20,8 @@ constexpr double kOrderTolerance = 0.15;
 bool has_law(const TradePoint &point);
 
 // A row for each scheme and error among the points of the knob "step": derived and measured law, whether their orders
-// agree, error and time at the usual step, and what ten times less error costs by the measured order. Empty without
-// such points.
+// agree, error and time at the usual step, and what ten times less error costs by the measured order. Errors
+// without a law, a single random walk's, show no order. Empty without such points.
 std::string law_report(const std::vector<TradePoint> &points, Style style);
 
 }  // namespace accuracy

@@ -107,9 +107,9 @@ void add_energies(const std::vector<double> &steps, const Budget &budget, std::v
       what.steps = n;
       what.precision = precision;
       what.spans = budget.quick ? 10 : 80;
-      TradePoint point = point_of("125 spheres, box of 14 radii", precision, "energy change in 25 t_c",
-                                  energy_errors(what).change, run);
-      point.setting += ", n = " + std::to_string(static_cast<int>(n));
+      TradePoint point = point_of(std::string(name_of(precision)) + ", 125 spheres, box of 14 radii", precision,
+                                  "energy change in 25 t_c", energy_errors(what).change, run);
+      point.setting = "n = " + std::to_string(static_cast<int>(n));
       point.cost *= n;
       point.is_default = point.is_default && n == dem::kUsualStepsPerContact;
       point.note = "ns per t_c";
