@@ -98,7 +98,7 @@ class Plot {
   void draw(draw::Svg &svg) const {
     draw_axes(svg);
     for (std::size_t k = 0; k < panel_.series.size(); ++k)
-      draw_series(svg, panel_.series[k], kColors[k % kColors.size()]);
+      draw_series(svg, panel_.series[k], kColors[k % kColors.size()], radius_of(k));
     draw_labels(svg);
     draw_legend(svg);
   }
@@ -130,8 +130,15 @@ class Plot {
     svg.rectangle(frame_, "fill=\"none\" stroke=\"#222\" stroke-width=\"1\"");
   }
 
+  // Series that coincide show as rings around each other.
+  double radius_of(std::size_t series) const {
+    const std::size_t above = panel_.series.size() - 1 - series;
+    return std::min(3 + 1.2 * static_cast<double>(above), 6.6);
+  }
+
   // The front is a line; settings off the front are pale.
-  void draw_series(draw::Svg &svg, const std::vector<TradePoint> &series, const std::string &color) const {
+  void draw_series(draw::Svg &svg, const std::vector<TradePoint> &series, const std::string &color,
+                   double radius) const {
     const std::vector<TradePoint> front = pareto_front(series);
     for (std::size_t k = 0; k + 1 < front.size(); ++k) {
       svg.line(place(front[k]), place(front[k + 1]), "stroke=\"" + color + "\" stroke-width=\"1.5\"");
@@ -139,7 +146,7 @@ class Plot {
     for (const TradePoint &p : series) {
       const bool best = std::any_of(front.begin(), front.end(), [&](const auto &f) { return f.setting == p.setting; });
       const std::string fill = "fill=\"" + color + "\" fill-opacity=\"" + (best ? "1" : "0.4") + "\"";
-      svg.circle(place(p), 4, fill);
+      svg.circle(place(p), radius, fill);
       if (p.is_default) svg.circle(place(p), 7.5, "fill=\"none\" stroke=\"" + color + "\" stroke-width=\"1.5\"");
     }
   }
@@ -157,7 +164,12 @@ class Plot {
       }
     }
     std::vector<draw::Frame> taken;
-    for (const TradePoint &p : order) draw_label(svg, p, taken);
+    std::vector<std::string> labelled;
+    for (const TradePoint &p : order) {
+      if (std::find(labelled.begin(), labelled.end(), p.setting) != labelled.end()) continue;
+      labelled.push_back(p.setting);
+      draw_label(svg, p, taken);
+    }
   }
 
   // Right of the point, else left of it, unless another label is in the way on both sides.

@@ -4,6 +4,7 @@
 // The list of the simulation's knobs.
 #include "accuracy/simulation_knobs.hpp"
 
+#include "accuracy/simulation/rounding_knob.hpp"
 #include "accuracy/simulation/skin_knob.hpp"
 #include "accuracy/simulation/state_knob.hpp"
 #include "accuracy/simulation/step_knob.hpp"
@@ -19,6 +20,11 @@ const std::vector<Knob> &simulation_knobs() {
       {"state", "Numbers of the state",
        "`run.precision` of a scene. Error: against the same particles in double. Time: ns per particle and step.",
        measure_states},
+      {"rounding", "Time step of a state in float",
+       "`time.steps_per_contact` and `run.precision` of a scene. Error: of an elastic gas of 125 spheres in a box of "
+       "14 "
+       "radii. Time: ns per particle and t_c of simulated time, a gas of 4096 spheres.",
+       measure_rounding},
       {"skin", "Skin of the stored candidates",
        "`run.skin` of a scene, over the smallest radius. Error: particles that are elsewhere, to the last bit, than "
        "without skin. Time: ns per particle and step.",

@@ -5,6 +5,8 @@
 #include "accuracy/simulation/elastic_gas.hpp"
 
 #include "accuracy/simulation/oscillator.hpp"
+#include "sim/dem/engine.hpp"
+#include "sim/dem/time_step.hpp"
 #include "sim/random.hpp"
 
 #include <cmath>
@@ -50,6 +52,27 @@ dem::Setup elastic_gas(const GasCase &what) {
     gas.walled[k] = !what.periodic;
   }
   heat(what, gas, random);
+  return gas;
+}
+
+dem::Setup melted_gas(const GasCase &what) {
+  constexpr auto kSteps = static_cast<std::uint64_t>(20 * dem::kUsualStepsPerContact);
+  dem::Setup gas = elastic_gas(what);
+  gas.time_step = dem::shortest_contact(gas) / dem::kUsualStepsPerContact;
+  gas.skin = 0.1;
+  const auto engine = dem::make_engine(gas);
+  engine->run(kSteps);
+  const dem::Snapshot state = engine->snapshot();
+  gas.centers = state.centers;
+  gas.velocities = state.velocities;
+  return gas;
+}
+
+GasCase timed_gas(std::size_t count) {
+  GasCase gas;
+  gas.edge = static_cast<std::size_t>(std::lround(std::cbrt(static_cast<double>(count))));
+  gas.density = 0.4;
+  gas.periodic = false;
   return gas;
 }
 

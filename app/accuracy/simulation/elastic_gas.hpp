@@ -24,6 +24,12 @@ struct GasCase {
 // At rest as a whole; scheme, time step and skin are left to the caller.
 dem::Setup elastic_gas(const GasCase &what);
 
+// The same after 20 t_c, when the spheres have left the lattice and collide.
+dem::Setup melted_gas(const GasCase &what);
+
+// About `count` equal spheres between walls, as dense as a liquid: to be timed.
+GasCase timed_gas(std::size_t count);
+
 // kT at which two spheres of mass 1 meet with the flux-weighted mean speed sqrt(pi kT) that lets them overlap so.
 double temperature_of(const GasCase &what);
 

@@ -84,11 +84,4 @@ StateErrors compare_states(const dem::Setup &setup, dem::Engine &in_double, dem:
   return errors;
 }
 
-dem::Setup setup_from(dem::Setup setup, dem::Engine &engine) {
-  const dem::Snapshot state = engine.snapshot();
-  setup.centers = state.centers;
-  setup.velocities = state.velocities;
-  return setup;
-}
-
 }  // namespace accuracy

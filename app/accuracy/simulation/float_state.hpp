@@ -23,9 +23,6 @@ struct StateErrors {
 // Compares engines that stand at the same time. `setup` is what they were made from.
 StateErrors compare_states(const dem::Setup &setup, dem::Engine &in_double, dem::Engine &in_float);
 
-// The setup with the particles as they are in `engine` now.
-dem::Setup setup_from(dem::Setup setup, dem::Engine &engine);
-
 }  // namespace accuracy
 
 #endif

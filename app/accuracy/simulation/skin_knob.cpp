@@ -27,20 +27,12 @@ constexpr double kUsualSkin = 0.1;  // of `hgrid run`
 constexpr std::uint64_t kSteps = 200;
 constexpr int kMostRounds = 3;
 
-dem::Setup equal_spheres(std::size_t count) {
-  GasCase gas;
-  gas.edge = static_cast<std::size_t>(std::lround(std::cbrt(static_cast<double>(count))));
-  gas.density = kDensity;
-  gas.periodic = false;
-  return elastic_gas(gas);
-}
-
 // A packing of many sizes; each particle has the kinetic energy of a gas in which the smallest overlap by 1 %.
 dem::Setup many_sizes(std::size_t count) {
   packing::Request request;
   request.law.ratio = 10;
   request.count = count;
-  request.density = kDensity;
+  request.density = timed_gas(count).density;
   request.sweeps = 300;  // leave overlaps of less than a per cent
   const app::ParticleSet packing = packing::make_packing(request, nullptr).particles;
   dem::Setup setup = elastic_gas({});
@@ -97,8 +89,7 @@ void add_skins(const std::string &system, dem::Setup setup, int rounds, std::vec
     const auto count = static_cast<double>(setup.count());
     char setting[32], note[120];
     std::snprintf(setting, sizeof setting, "skin %g", kSkins[k]);
-    std::snprintf(note, sizeof note,
-                  "%zu particles elsewhere than without skin; a search in %.3g steps, %.1f stored per particle", wrong,
+    std::snprintf(note, sizeof note, "searched every %.3g steps, %.1f stored per particle",
                   static_cast<double>(kSteps) * rounds / searches[k], static_cast<double>(stats.stored_count) / count);
     TradePoint point{"skin",
                      system,
@@ -119,7 +110,7 @@ std::vector<TradePoint> measure_run_skins(const Budget &budget, const Progress &
   std::vector<TradePoint> points;
   const int rounds = std::min(budget.repeats, kMostRounds);
   progress("equal spheres");
-  add_skins("equal spheres, density 0.4", equal_spheres(budget.timed_count), rounds, points);
+  add_skins("equal spheres, density 0.4", melted_gas(timed_gas(budget.timed_count)), rounds, points);
   progress("many sizes");
   add_skins("ratio 10, density 0.4", many_sizes(budget.timed_count), rounds, points);
   return points;

@@ -1,56 +1,30 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The knob of the numbers that the state is kept in: float against double, in gases of two sizes, and the energy of a
-// small one over time steps.
+// The knob of the numbers that the state is kept in: float against double, in gases of two sizes.
 #include "accuracy/simulation/state_knob.hpp"
 
 #include "accuracy/simulation/elastic_gas.hpp"
 #include "accuracy/simulation/float_state.hpp"
-#include "accuracy/simulation/gas_energy.hpp"
 #include "accuracy/simulation/step_cost.hpp"
 #include "sim/dem/time_step.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <string>
 
 namespace accuracy {
 namespace {
 
-constexpr double kSkin = 0.1;
-constexpr int kContactsToMelt = 20, kContactsTimed = 6;
+constexpr int kContactsTimed = 6;
 constexpr auto kUsual = static_cast<std::uint64_t>(dem::kUsualStepsPerContact);
-
-constexpr dem::Precision kPrecisions[] = {dem::Precision::kDouble, dem::Precision::kFloat};
-
-const char *name_of(dem::Precision precision) { return precision == dem::Precision::kFloat ? "float" : "double"; }
-
-GasCase walled_gas(std::size_t count) {
-  GasCase gas;
-  gas.edge = static_cast<std::size_t>(std::lround(std::cbrt(static_cast<double>(count))));
-  gas.density = 0.4;
-  gas.periodic = false;
-  return gas;
-}
-
-// After they have forgotten the lattice.
-dem::Setup melted(const GasCase &what, double steps) {
-  dem::Setup setup = elastic_gas(what);
-  setup.skin = kSkin;
-  setup.time_step = dem::shortest_contact(setup) / steps;
-  const auto engine = dem::make_engine(setup);
-  engine->run(static_cast<std::uint64_t>(kContactsToMelt * steps));
-  return setup_from(setup, *engine);
-}
 
 TradePoint point_of(const std::string &system, dem::Precision precision, const std::string &error_of, double error,
                     const TimedRun &run) {
   TradePoint point;
   point.knob = "state";
   point.system = system;
-  point.setting = name_of(precision);
+  point.setting = precision == dem::Precision::kFloat ? "float" : "double";
   point.error_of = error_of;
   point.error = error;
   point.cost = run.ns_per_particle_and_step();
@@ -81,7 +55,7 @@ void add_states(const dem::Setup &setup, int rounds, std::vector<TradePoint> &po
   char name[80];
   std::snprintf(name, sizeof name, "%zu spheres, box of %.0f radii", setup.count(), setup.box_max[0]);
   const double pairs = static_cast<double>(errors.missed + errors.extra) / static_cast<double>(errors.pairs);
-  for (const dem::Precision precision : kPrecisions) {
+  for (const dem::Precision precision : {dem::Precision::kDouble, dem::Precision::kFloat}) {
     const bool exact = precision == dem::Precision::kDouble;
     TimedRun &run = exact ? fine : coarse;
     const auto add = [&](const char *error_of, double error, const std::string &note) {
@@ -95,29 +69,6 @@ void add_states(const dem::Setup &setup, int rounds, std::vector<TradePoint> &po
   }
 }
 
-// Costs are per t_c here, since the time step varies.
-void add_energies(const std::vector<double> &steps, const Budget &budget, std::vector<TradePoint> &points) {
-  for (const double n : steps) {
-    const dem::Setup timed = melted(walled_gas(4096), n);
-    for (const dem::Precision precision : kPrecisions) {
-      TimedRun run(timed, precision, static_cast<std::uint64_t>(n));
-      run.run(static_cast<std::uint64_t>(kContactsTimed * n));
-      EnergyCase what;
-      what.gas.mass_spread = 0.3;
-      what.steps = n;
-      what.precision = precision;
-      what.spans = budget.quick ? 10 : 80;
-      TradePoint point = point_of(std::string(name_of(precision)) + ", 125 spheres, box of 14 radii", precision,
-                                  "energy change in 25 t_c", energy_errors(what).change, run);
-      point.setting = "n = " + std::to_string(static_cast<int>(n));
-      point.cost *= n;
-      point.is_default = point.is_default && n == dem::kUsualStepsPerContact;
-      point.note = "ns per t_c";
-      points.push_back(point);
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<TradePoint> measure_states(const Budget &budget, const Progress &progress) {
@@ -125,10 +76,8 @@ std::vector<TradePoint> measure_states(const Budget &budget, const Progress &pro
   const int rounds = std::min(budget.repeats, 3);
   for (const std::size_t count : {std::size_t{4096}, budget.timed_count}) {
     progress(std::to_string(count) + " spheres");
-    add_states(melted(walled_gas(count), dem::kUsualStepsPerContact), rounds, points);
+    add_states(melted_gas(timed_gas(count)), rounds, points);
   }
-  progress("energy of a gas");
-  add_energies(budget.quick ? std::vector<double>{20, 50} : std::vector<double>{10, 20, 50, 100, 200}, budget, points);
   return points;
 }
 

@@ -24,7 +24,7 @@ const std::vector<double> kQuickSteps = {10, 20, 50, 80};
 
 // Costs are those of a gas large enough to forget the work per step, and timed over the same span of simulated time
 // with any time step: stored candidates then are searched anew as often.
-constexpr std::size_t kTimedEdge = 16;
+constexpr std::size_t kTimedCount = 4096;
 constexpr double kTimedContacts = 6;  // in t_c: two new searches
 constexpr int kMostRounds = 3;
 
@@ -36,12 +36,7 @@ struct Cost {
 };
 
 std::vector<Cost> costs_of(const std::vector<double> &steps, int rounds) {
-  GasCase gas;
-  gas.edge = kTimedEdge;
-  gas.density = 0.4;
-  gas.periodic = false;
-  dem::Setup setup = elastic_gas(gas);
-  setup.skin = 0.1;
+  dem::Setup setup = melted_gas(timed_gas(kTimedCount));
   std::vector<Cost> costs;
   std::vector<std::unique_ptr<TimedRun>> runs;
   for (const dem::Scheme &scheme : kSchemes) {

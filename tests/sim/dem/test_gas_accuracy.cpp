@@ -70,16 +70,8 @@ struct Pair {
 };
 
 Pair melted_pair() {
-  accuracy::GasCase gas;
-  gas.edge = 12;
-  gas.density = 0.4;
-  gas.periodic = false;
   Pair pair;
-  pair.setup = accuracy::elastic_gas(gas);
-  pair.setup.time_step = dem::shortest_contact(pair.setup) / 50;
-  const auto engine = dem::make_engine(pair.setup);
-  engine->run(1000);
-  pair.setup = accuracy::setup_from(pair.setup, *engine);
+  pair.setup = accuracy::melted_gas(accuracy::timed_gas(1728));
   pair.in_double = dem::make_engine(pair.setup, dem::Precision::kDouble);
   pair.in_float = dem::make_engine(pair.setup, dem::Precision::kFloat);
   return pair;
