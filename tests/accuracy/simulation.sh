@@ -1,0 +1,38 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
+# hgrid accuracy --simulation as a user calls it, and the page made from it: simulation.sh HGRID PYTHON SOURCE.
+set -euo pipefail
+hgrid=$(realpath "$1") python=$2 source=$3
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+"$hgrid" accuracy --simulation --quick --repeats 1 --knob state,rounding,skin --csv points.csv >report.txt 2>progress.txt
+grep -q '^hgrid accuracy: rounding: float' progress.txt
+grep -q '^Skin of the stored candidates' report.txt
+
+"$python" - <<'END'
+import csv
+
+rows = list(csv.DictReader(open("points.csv", newline="")))
+assert {row["knob"] for row in rows} == {"state", "rounding", "skin"}, rows
+errors = {(row["knob"], row["setting"], row["error_of"]): float(row["error"]) for row in rows}
+assert all(error == 0 for (knob, setting, _), error in errors.items() if knob == "skin" or setting == "double"), errors
+assert 0 < errors["state", "float", "overlaps after one t_c"] < 0.01, errors
+assert all(error > 0 for (knob, _, _), error in errors.items() if knob == "rounding"), errors
+END
+
+status=0
+"$hgrid" accuracy --simulation --knob prefilter >out.txt 2>err.txt || status=$?
+[[ $status == 2 ]] && grep -qF "'prefilter' is no knob" err.txt
+
+# The page and its picture hold what the recorded points say, and those hold what was derived.
+"$hgrid" accuracy --simulation --from "$source/bench/results/amd-epyc/accuracy-simulation.csv" --markdown \
+  --svg page.svg >page.md
+grep '^|' page.md | while read -r line; do
+  grep -qxF -- "$line" "$source/docs/accuracy-simulation.md" || { echo "docs/accuracy-simulation.md lacks: $line"; exit 1; }
+done
+[[ $(grep -c '| agrees |' page.md) == 29 ]]
+! grep -q '| differs |' page.md
+cmp page.svg "$source/docs/images/accuracy-simulation.svg"
