@@ -84,7 +84,12 @@ std::string law_report(const std::vector<TradePoint> &points, Style style) {
     std::for_each(all.begin(), others, [&](const std::vector<TradePoint> &s) { rows.push_back(row_of(s)); });
     all.erase(all.begin(), others);
   }
-  return heading("Laws of the errors in the steps per contact", style) + table_of(rows, style) + "\n";
+  const std::string about =
+      "n: time steps per contact. Derived: to leading order; measured: fitted from n = 20 on; orders agree within "
+      "0.15. "
+      "Errors: rms over 400 collisions or over the spans of a gas. Time: ns per particle and t_c of simulated time, to "
+      "which n is proportional: ten times less error costs 10^(1 / order).\n\n";
+  return heading("Laws of the errors in the steps per contact", style) + about + table_of(rows, style) + "\n";
 }
 
 }  // namespace accuracy

@@ -81,9 +81,10 @@ void add_skins(const std::string &system, dem::Setup setup, int rounds, std::vec
   for (int round = 0; round < rounds; ++round) {
     for (const auto &run : runs) run->run(kSteps);
   }
-  const dem::Snapshot reference = runs.front()->engine().snapshot();
+  dem::Snapshot reference;
   for (std::size_t k = 0; k < kSkins.size(); ++k) {
     const hg_grid_stats stats = runs[k]->engine().grid_stats();
+    if (k == 0) reference = runs[0]->engine().snapshot();
     searches[k] += static_cast<double>(stats.search_count);
     const std::size_t wrong = changed(reference, runs[k]->engine().snapshot());
     const auto count = static_cast<double>(setup.count());

@@ -20,7 +20,9 @@ namespace {
 // Whole numbers, a quarter of an octave to half an octave apart; the usual 50 among them.
 const std::vector<double> kCollisionSteps = {10, 14, 20, 28, 40, 50, 80, 112, 160, 224, 320};
 const std::vector<double> kEnergySteps = {10, 14, 20, 28, 50, 112};
-const std::vector<double> kQuickSteps = {10, 20, 50, 80};
+const std::vector<double> kQuickCollisionSteps = {10, 20, 50, 160};
+const std::vector<double> kQuickEnergySteps = {20, 160};
+constexpr int kSpans = 400, kQuickSpans = 40;  // of 25 t_c
 
 // Costs are those of a gas large enough to forget the work per step, and timed over the same span of simulated time
 // with any time step: stored candidates then are searched anew as often.
@@ -78,8 +80,8 @@ void add_points(const std::string &scheme, const std::vector<double> &nominal_st
 }  // namespace
 
 std::vector<TradePoint> measure_steps(const Budget &budget, const Progress &progress) {
-  const std::vector<double> &collision_steps = budget.quick ? kQuickSteps : kCollisionSteps;
-  const std::vector<double> &energy_steps = budget.quick ? kQuickSteps : kEnergySteps;
+  const std::vector<double> &collision_steps = budget.quick ? kQuickCollisionSteps : kCollisionSteps;
+  const std::vector<double> &energy_steps = budget.quick ? kQuickEnergySteps : kEnergySteps;
   progress("timing");
   const std::vector<Cost> costs = costs_of(collision_steps, budget.quick ? 1 : std::min(budget.repeats, kMostRounds));
   std::vector<TradePoint> points;
@@ -91,7 +93,7 @@ std::vector<TradePoint> measure_steps(const Budget &budget, const Progress &prog
   }
   for (const dem::Scheme &scheme : kSchemes) {
     progress(scheme.name + ", energy of a gas");
-    for (const ErrorCurve &curve : energy_curves(scheme, energy_steps, budget.quick ? 20 : 400)) {
+    for (const ErrorCurve &curve : energy_curves(scheme, energy_steps, budget.quick ? kQuickSpans : kSpans)) {
       add_points(scheme.name, energy_steps, curve, costs, points);
     }
   }
