@@ -4,8 +4,8 @@
 // Medians and quartiles, in ns per particle.
 #include "results.hpp"
 
+#include "csv_row.hpp"
 #include "machine.hpp"
-#include "output.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,6 @@
 
 namespace bench {
 namespace {
-
-// The value below which a share of the sorted samples lies, between neighbours by their distance.
-double quantile(const std::vector<double> &sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const std::size_t below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 // Sorted ns per particle; empty if nothing was measured.
 std::vector<double> ns_per_particle(const Result &result, std::size_t particles) {
@@ -31,43 +23,6 @@ std::vector<double> ns_per_particle(const Result &result, std::size_t particles)
 }
 
 std::string verdict(const Result &result) { return result.fault.empty() ? "same pairs" : result.fault; }
-
-class CsvRow {
- public:
-  explicit CsvRow(app::Output &out) : out_(&out) {}
-  ~CsvRow() { *out_ << '\n'; }
-  CsvRow(const CsvRow &) = delete;
-  CsvRow &operator=(const CsvRow &) = delete;
-
-  CsvRow &text(const std::string &words) {
-    comma();
-    *out_ << '"';
-    for (const char letter : words) *out_ << (letter == '"' ? '\'' : letter);
-    *out_ << '"';
-    return *this;
-  }
-  template <class Number>
-  CsvRow &number(Number value) {
-    comma();
-    *out_ << value;
-    return *this;
-  }
-  // Unknown, as a negative number, leaves the field empty.
-  CsvRow &known(double value) {
-    comma();
-    if (value >= 0) *out_ << value;
-    return *this;
-  }
-
- private:
-  void comma() {
-    if (!first_) *out_ << ',';
-    first_ = false;
-  }
-
-  app::Output *out_;
-  bool first_ = true;
-};
 
 constexpr const char *kHead =
     "sweep,system,size_ratio,particles,pairs,contestant,variant,isa,threads,chosen,levels,occupancy,predicted_cost,"

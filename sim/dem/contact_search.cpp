@@ -18,6 +18,7 @@ hg_grid_def grid_def(const Setup &setup) {
   def.dimension = setup.dimension;
   def.thread_count = setup.threads;
   def.pair_order = HG_ORDER_ID;
+  def.level_count = setup.level_count;
   def.skin = setup.skin;
   if (has(setup.effects, kAdhesion)) def.margin = setup.contact.adhesion_range;
   for (int k = 0; k < setup.dimension; ++k) {

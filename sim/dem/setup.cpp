@@ -87,6 +87,7 @@ void check_setup(const Setup &setup) {
   if (has(setup.effects, kGrowth) && !(setup.growth_rate >= 0)) {
     throw Error("the rate of growth is 0 or above, not " + text(setup.growth_rate));
   }
+  if (setup.level_count < 0) throw Error("the number of levels is " + std::to_string(setup.level_count) + ", below 0");
   if (!(setup.skin >= 0)) throw Error("the skin is 0 or above, not " + text(setup.skin));
 }
 

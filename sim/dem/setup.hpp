@@ -39,8 +39,9 @@ struct Setup {
 
   double time_step = 0;
   Scheme scheme = velocity_verlet();
-  int threads = 1;  // 0: all that the machine offers. Results do not depend on it
-  double skin = 0;  // of the library's stored candidates: changes the time, not the results
+  int threads = 1;      // 0: all that the machine offers. Results do not depend on it
+  int level_count = 0;  // levels of the library's grid at most, 0: as many as are best. Changes the time only
+  double skin = 0;      // of the library's stored candidates: changes the time, not the results
 
   std::size_t count() const { return radii.size(); }
 };

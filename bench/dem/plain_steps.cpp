@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The paper's program in short: its search in each step, linear springs, velocity Verlet, scalar code throughout.
+#include "measure/search_timer.hpp"
+#include "plain_searches.hpp"
+#include "sim/dem/space_order.hpp"
+#include "stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace bench {
+namespace {
+
+class PlainSteps {
+ public:
+  // The particles stand in `order`, along a curve through space as in the other programs.
+  PlainSteps(const dem::Setup &setup, std::vector<std::uint32_t> order, int level_count);
+
+  void run(std::uint64_t steps);
+  MotionState state() const;
+  Details details() const { return search_.details(); }
+
+ private:
+  void find_forces();
+  void add_pair_force(const hg_pair &pair);
+  void add_wall_forces(std::size_t particle);
+  void kick_half();
+
+  dem::Setup setup_;
+  std::vector<std::uint32_t> order_;
+  app::ParticleSet set_;
+  Search search_;
+  std::vector<double> forces_;  // [count][3]
+};
+
+PlainSteps::PlainSteps(const dem::Setup &setup, std::vector<std::uint32_t> order, int level_count)
+    : setup_(dem::reordered(setup, order)), order_(std::move(order)), forces_(3 * setup.count()) {
+  set_.centers = setup_.centers;
+  set_.radii = setup_.radii;
+  set_.has_box = setup_.walled[0] && setup_.walled[1] && setup_.walled[2];
+  std::copy_n(setup_.box_min, 3, set_.box_min);
+  std::copy_n(setup_.box_max, 3, set_.box_max);
+  search_ = hierarchical_grid_search(level_count).prepare(set_);
+  find_forces();
+}
+
+void PlainSteps::add_pair_force(const hg_pair &pair) {
+  const double *a = &set_.centers[3 * static_cast<std::size_t>(pair.a)];
+  const double *b = &set_.centers[3 * static_cast<std::size_t>(pair.b)];
+  const double d[3] = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  const double distance = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  const double reach = set_.radii[static_cast<std::size_t>(pair.a)] + set_.radii[static_cast<std::size_t>(pair.b)];
+  const double pull = setup_.contact.stiffness * (reach - distance) / distance;
+  for (std::size_t k = 0; k < 3; ++k) {
+    forces_[3 * static_cast<std::size_t>(pair.a) + k] -= pull * d[k];
+    forces_[3 * static_cast<std::size_t>(pair.b) + k] += pull * d[k];
+  }
+}
+
+void PlainSteps::add_wall_forces(std::size_t particle) {
+  const double radius = set_.radii[particle];
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!setup_.walled[k]) continue;
+    const double x = set_.centers[3 * particle + k];
+    const double below = radius - (x - setup_.box_min[k]), above = radius - (setup_.box_max[k] - x);
+    if (below > 0) forces_[3 * particle + k] += setup_.contact.stiffness * below;
+    if (above > 0) forces_[3 * particle + k] -= setup_.contact.stiffness * above;
+  }
+}
+
+void PlainSteps::find_forces() {
+  PairView pairs;
+  search_.run(pairs);
+  std::fill(forces_.begin(), forces_.end(), 0.0);
+  for (std::size_t p = 0; p < pairs.count; ++p) add_pair_force(pairs.data[p]);
+  for (std::size_t i = 0; i < set_.count(); ++i) add_wall_forces(i);
+}
+
+void PlainSteps::kick_half() {
+  for (std::size_t i = 0; i < set_.count(); ++i) {
+    const double factor = 0.5 * setup_.time_step / setup_.masses[i];
+    for (std::size_t k = 0; k < 3; ++k) setup_.velocities[3 * i + k] += factor * forces_[3 * i + k];
+  }
+}
+
+void PlainSteps::run(std::uint64_t steps) {
+  for (std::uint64_t step = 0; step < steps; ++step) {
+    kick_half();
+    for (std::size_t k = 0; k < set_.centers.size(); ++k) set_.centers[k] += setup_.time_step * setup_.velocities[k];
+    find_forces();
+    kick_half();
+  }
+}
+
+MotionState PlainSteps::state() const {
+  MotionState state{std::vector<double>(set_.centers.size()), std::vector<double>(set_.centers.size())};
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      state.centers[3 * order_[i] + k] = set_.centers[3 * i + k];
+      state.velocities[3 * order_[i] + k] = setup_.velocities[3 * i + k];
+    }
+  }
+  return state;
+}
+
+}  // namespace
+
+StepContestant plain_steps(const StepSetting &setting) {
+  StepContestant contestant;
+  contestant.name = kPlain;
+  if (setting.level_count > 0) contestant.variant = "L" + std::to_string(setting.level_count);
+  contestant.prepare = [setting](const dem::Setup &setup) {
+    const auto steps = std::make_shared<PlainSteps>(setup, dem::space_order(setup), setting.level_count);
+    Stepper stepper;
+    stepper.run = [steps](std::uint64_t count) { steps->run(count); };
+    stepper.state = [steps] { return steps->state(); };
+    stepper.details = [steps] { return steps->details(); };
+    return stepper;
+  };
+  return contestant;
+}
+
+}  // namespace bench

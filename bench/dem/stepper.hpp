@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What every contestant of a measurement of whole steps is: a program that moves particles, and the label of its
+// results.
+#ifndef BENCH_DEM_STEPPER_HPP
+#define BENCH_DEM_STEPPER_HPP
+
+#include "search.hpp"
+#include "sim/dem/setup.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+// Of all particles in the order of the scene, at the time of a step.
+struct MotionState {
+  std::vector<double> centers, velocities;
+};
+
+struct Stepper {
+  // Search, forces and motion of so many steps. Empty if the variant makes no sense for these particles.
+  std::function<void(std::uint64_t)> run;
+  std::function<MotionState()> state;
+  std::function<Details()> details;
+};
+
+struct StepContestant {
+  std::string name;     // of the program: one word
+  std::string variant;  // of its settings, "" if there is but one
+  std::string isa;      // instruction set of the library, "" = it is not used
+  int threads = 1;
+  double skin = 0;     // of stored neighbours, in units of the smallest radius; 0: searched in each step
+  bool tuned = false;  // one of several variants of a name and number of threads: only the fastest of them goes on
+  // Called in a process of its own, once.
+  std::function<Stepper(const dem::Setup &)> prepare;
+};
+
+// How one differs from the engine's and the library's defaults.
+struct StepSetting {
+  int threads = 1;
+  double skin = 0;
+  int level_count = 0;  // 0: as the rule chooses
+  bool tuned = false;
+};
+
+// The engine of `hgrid run`.
+StepContestant engine_steps(const StepSetting &setting, const std::string &isa);
+
+// The plain hierarchical grid, a search in each step with the levels of the paper, and plain scalar code for forces
+// and motion. One thread, no skin.
+StepContestant plain_steps(const StepSetting &setting);
+
+// LAMMPS, pair_style gran/hooke: collections 0 for lists of the style `bin`, else their number for `multi`.
+StepContestant lammps_steps(const StepSetting &setting, int collections);
+
+}  // namespace bench
+
+#endif
