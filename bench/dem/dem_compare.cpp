@@ -25,8 +25,9 @@ struct Options {
   bench::Settling settling;
   bench::StepEffort effort;
   std::vector<int> levels;
-  std::vector<double> skins{0.1, 0.2, 0.3, 0.4};
+  std::vector<double> skins{0.1, 0.2, 0.4, 0.8};
   std::vector<std::string> only;
+  bool settle_only = false;
 };
 
 using Contestants = std::vector<bench::StepContestant>;
@@ -100,6 +101,9 @@ int compare(const Options &options) {
   bool good = true;
   for (const std::string &scene : options.scenes) {
     const bench::SettledSystem system = bench::settle(scene, options.settling, options.cache);
+    std::printf("%s: settled in %llu steps, %.2g collisions per particle\n", scene.c_str(),
+                static_cast<unsigned long long>(system.steps), system.collisions);
+    if (options.settle_only) continue;
     const auto [smallest, largest] = std::minmax_element(system.setup.radii.begin(), system.setup.radii.end());
     bench::StepMeasurement measurement;
     measurement.sweep = options.sweep;
@@ -133,6 +137,7 @@ void add_options(CLI::App &command, Options &options) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command.add_option("--settle-steps", options.settling.most_steps, "Steps for these at most (0: no limit)");
+  command.add_flag("--settle-only", options.settle_only, "Measure nothing");
   command.add_option("--cache", options.cache, "Keep the settled state in this file, and take it from there");
   command.add_option("--steps", options.effort.steps, "Steps of each turn")
       ->check(CLI::Range(1, 1000000))

@@ -20,10 +20,11 @@ FONT_SIZE = 12
 
 
 class Line:
-    """A line of one panel: `points` are (x, y) or (x, y, low, high), the latter drawn as a band."""
+    """A line of one panel: `points` are (x, y) or (x, y, low, high), the latter drawn as a band.
+    `dots`: no line, but rings."""
 
-    def __init__(self, label, points, colour, dashed=False, notes=()):
-        self.label, self.colour, self.dashed, self.notes = label, colour, dashed, list(notes)
+    def __init__(self, label, points, colour, dashed=False, notes=(), dots=False):
+        self.label, self.colour, self.dashed, self.notes, self.dots = label, colour, dashed, list(notes), dots
         self.points = sorted(points)
 
 
@@ -145,6 +146,11 @@ def draw_line(picture, line, place):
         edge = [place(p[0], p[2]) for p in band] + [place(p[0], p[3]) for p in reversed(band)]
         corners = " ".join(f"{x:.1f},{y:.1f}" for x, y in edge)
         picture.add(f'<polygon points="{corners}" class="b{line.colour}"/>')
+    if line.dots:
+        for point in line.points:
+            x, y = place(point[0], point[1])
+            picture.add(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4.5" class="l{line.colour}"/>')
+        return
     corners = " ".join("{:.1f},{:.1f}".format(*place(p[0], p[1])) for p in line.points)
     dash = ' stroke-dasharray="5 4"' if line.dashed else ""
     picture.add(f'<polyline points="{corners}" class="l{line.colour}"{dash}/>')

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""The CSV files of hgrid_compare, read into rows."""
+"""The CSV files of hgrid_compare and hgrid_dem, read into rows."""
 
 import csv
 
@@ -9,6 +9,10 @@ NUMBERS = {
     "candidates_per_particle", "skin", "searches_per_step", "runs", "median_ns_per_particle", "min_ns_per_particle",
     "q1_ns_per_particle", "q3_ns_per_particle", "peak_bytes_per_particle", "processors",
 }  # fmt: skip
+# Of hgrid_dem, which has no list of pairs.
+STEP_NUMBERS = NUMBERS - {"pairs", "peak_bytes_per_particle"} | {
+    "collisions_before", "steps", "steps_per_second", "contacts_per_particle", "energy_change",
+}  # fmt: skip
 
 
 class Row:
@@ -16,7 +20,7 @@ class Row:
 
     def __init__(self, fields):
         for name, text in fields.items():
-            setattr(self, name, (float(text) if text else None) if name in NUMBERS else text)
+            setattr(self, name, (float(text) if text else None) if name in NUMBERS | STEP_NUMBERS else text)
 
     @property
     def ns(self):
@@ -27,15 +31,15 @@ class Row:
         return self.q1_ns_per_particle, self.q3_ns_per_particle
 
 
-def read(paths):
-    """All rows that were measured through; a file that is no CSV of hgrid_compare is an error."""
+def read(paths, numbers=frozenset(NUMBERS), program="hgrid_compare"):
+    """All rows that were measured through; a file that is no CSV of the program is an error."""
     rows = []
     for path in paths:
         with open(path, encoding="utf-8", newline="") as file:
             reader = csv.DictReader(file)
-            missing = (NUMBERS | {"sweep", "system", "contestant", "verdict"}) - set(reader.fieldnames or ())
+            missing = (numbers | {"sweep", "system", "contestant", "verdict"}) - set(reader.fieldnames or ())
             if missing:
-                raise SystemExit(f"{path}: not written by hgrid_compare, no column {', '.join(sorted(missing))}")
+                raise SystemExit(f"{path}: not written by {program}, no column {', '.join(sorted(missing))}")
             rows += [Row(fields) for fields in reader]
     return [row for row in rows if row.chosen]
 

@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
+# Whole steps per second of the paper's systems beside LAMMPS: bench/figures/steps.sh [BUILD [WORK [OUTPUT]]].
+# OUTPUT is the folder of steps.csv. About five minutes, with the packings.
+set -euo pipefail
+build=${1:-build} work=${2:-figures-work} output=${3:-bench/results/measured}
+. "$(dirname "${BASH_SOURCE[0]}")/systems.sh"
+mkdir -p "$output"
+
+# Threads that are moved between cores in the middle of a turn would be timed with their caches cold.
+export OMP_PROC_BIND=true
+
+systems=("mono 1" "uniform-volume 50")
+csvs=()
+for ((k = 0; k < ${#systems[@]}; ++k)); do
+  read -r law ratio <<<"${systems[k]}"
+  scene=$(settle_steps=0 settled "$law" "$ratio" 125001)
+  csv=$work/steps-$law.csv
+  measure $((k + 1)) ${#systems[@]} "$csv" "$scene" --steps 100 --repeats 5 --turn-seconds 3 --first-steps 5
+  csvs+=("$csv")
+done
+join "$output/steps.csv" "${csvs[@]}"
