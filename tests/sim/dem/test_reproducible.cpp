@@ -84,6 +84,33 @@ bool same_with_skins() {
 
 void the_skin_does_not_change_a_bit(void **) { assert_true(same_with_skins()); }
 
+bool same_with_levels() {
+  dem::Setup setup = busy_setup(3);
+  for (std::size_t i = 0; i < setup.count(); ++i) setup.radii[i] *= i % 3 == 0 ? 1 : i % 3 == 1 ? 0.5 : 0.2;
+  const dem::Snapshot chosen = state_after(setup, 300);
+  bool same = true;
+  for (const int count : {1, 2, 3}) {
+    setup.level_count = count;
+    const auto has_as_many = [&](dem::Engine &engine) { same = same && engine.grid_stats().level_count == count; };
+    same = same && same_bits(chosen, state_after(setup, 300, has_as_many));
+  }
+  return same;
+}
+
+void the_number_of_levels_does_not_change_a_bit(void **) { assert_true(same_with_levels()); }
+
+void levels_below_none_are_refused(void **) {
+  dem::Setup setup = busy_setup(2);
+  setup.level_count = -1;
+  std::string message;
+  try {
+    dem::make_engine(setup);
+  } catch (const dem::Error &error) {
+    message = error.what();
+  }
+  assert_string_equal(message.c_str(), "the number of levels is -1, below 0");
+}
+
 bool same_when_looked_at() {
   const dem::Setup setup = busy_setup(3);
   const dem::Snapshot undisturbed = state_after(setup, 300);
@@ -185,6 +212,8 @@ int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(threads_do_not_change_a_bit),
       cmocka_unit_test(the_skin_does_not_change_a_bit),
+      cmocka_unit_test(the_number_of_levels_does_not_change_a_bit),
+      cmocka_unit_test(levels_below_none_are_refused),
       cmocka_unit_test(looking_does_not_change_a_bit),
       cmocka_unit_test(restart_goes_on_to_the_same_bits),
       cmocka_unit_test(checkpoints_of_other_scenes_are_refused),
