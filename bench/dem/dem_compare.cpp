@@ -21,13 +21,13 @@ namespace {
 
 struct Options {
   std::vector<std::string> scenes;
-  std::string sweep, csv, cache;
+  std::string sweep, csv;
   bench::Settling settling;
   bench::StepEffort effort;
   std::vector<int> levels;
   std::vector<double> skins{0.1, 0.2, 0.4, 0.8};
   std::vector<std::string> only;
-  bool settle_only = false;
+  bool keep_state = false, settle_only = false;
 };
 
 using Contestants = std::vector<bench::StepContestant>;
@@ -100,7 +100,7 @@ int compare(const Options &options) {
   std::vector<bench::StepMeasurement> measurements;
   bool good = true;
   for (const std::string &scene : options.scenes) {
-    const bench::SettledSystem system = bench::settle(scene, options.settling, options.cache);
+    const bench::SettledSystem system = bench::settle(scene, options.settling, options.keep_state);
     std::printf("%s: settled in %llu steps, %.2g collisions per particle\n", scene.c_str(),
                 static_cast<unsigned long long>(system.steps), system.collisions);
     if (options.settle_only) continue;
@@ -138,7 +138,8 @@ void add_options(CLI::App &command, Options &options) {
       ->capture_default_str();
   command.add_option("--settle-steps", options.settling.most_steps, "Steps for these at most (0: no limit)");
   command.add_flag("--settle-only", options.settle_only, "Measure nothing");
-  command.add_option("--cache", options.cache, "Keep the settled state in this file, and take it from there");
+  command.add_flag("--keep-state", options.keep_state,
+                   "Keep the settled state beside the scene, as SCENE.state, and take it from there");
   command.add_option("--steps", options.effort.steps, "Steps of each turn")
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str();

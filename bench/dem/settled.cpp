@@ -89,9 +89,9 @@ dem::Setup read_elastic(const std::string &path) {
 }
 
 // The file holds the progress, then centres and velocities, in this machine's bytes.
-bool read_cache(const std::string &path, SettledSystem &system) {
+bool read_state(const std::string &path, SettledSystem &system) {
   std::ifstream file(path, std::ios::binary);
-  if (path.empty() || !file) return false;
+  if (!file) return false;
   const auto take = [&](void *bytes, std::size_t size) {
     file.read(static_cast<char *>(bytes), static_cast<std::streamsize>(size));
   };
@@ -105,8 +105,7 @@ bool read_cache(const std::string &path, SettledSystem &system) {
   return true;
 }
 
-void write_cache(const std::string &path, const SettledSystem &system) {
-  if (path.empty()) return;
+void write_state(const std::string &path, const SettledSystem &system) {
   std::ofstream file(path, std::ios::binary);
   const auto put = [&](const void *bytes, std::size_t size) {
     file.write(static_cast<const char *>(bytes), static_cast<std::streamsize>(size));
@@ -144,11 +143,12 @@ Sums sums_of(const dem::Setup &setup, const MotionState &state) {
   return sums;
 }
 
-SettledSystem settle(const std::string &scene, const Settling &settling, const std::string &cache) {
+SettledSystem settle(const std::string &scene, const Settling &settling, bool keep) {
+  const std::string state = std::filesystem::path(scene).replace_extension("state").string();
   SettledSystem system;
   system.name = std::filesystem::path(scene).stem().string();
   system.setup = read_elastic(scene);
-  if (read_cache(cache, system)) return system;
+  if (keep && read_state(state, system)) return system;
   Child maker(scene, [&](Channel &channel) {
     const Progress progress = let_settle(system.setup, settling);
     channel.send(progress);
@@ -161,7 +161,7 @@ SettledSystem settle(const std::string &scene, const Settling &settling, const s
   system.setup.centers = maker.channel().receive_array<double>();
   system.setup.velocities = maker.channel().receive_array<double>();
   maker.wait();
-  write_cache(cache, system);
+  if (keep) write_state(state, system);
   return system;
 }
 

@@ -36,9 +36,9 @@ Sums sums_of(const dem::Setup &setup, const MotionState &state);
 
 // Reads a scene of elastic spheres between walls and lets it run, in a process of its own, until the particles have
 // collided so often. Relaxed packings hold energy in their overlaps: while the kinetic energy is more than a tenth
-// above its value at the start, velocities are scaled back. With a `cache`, the settled state is read from that file if
-// it exists, and else written to it. Throws std::exception if the scene asks for anything else.
-SettledSystem settle(const std::string &scene, const Settling &settling, const std::string &cache);
+// above its value at the start, velocities are scaled back. To `keep` means to take the settled state from the file
+// SCENE.state if it exists, and else to write it there. Throws std::exception if the scene asks for anything else.
+SettledSystem settle(const std::string &scene, const Settling &settling, bool keep);
 
 }  // namespace bench
 

@@ -4,7 +4,7 @@
 # Fig. 4 of the paper, slow-down against the number of levels: bench/figures/figure4.sh [BUILD [WORK [OUTPUT]]].
 # OUTPUT is the folder of figure4.csv, the picture goes to docs/images. About ten minutes, with the packings.
 set -euo pipefail
-build=${1:-build} work=${2:-figures-work} output=${3:-bench/results/measured}
+build=${1:-build} work=${2:-figures-work} output=${3:-$work}
 here=$(dirname "${BASH_SOURCE[0]}")
 . "$here/systems.sh"
 mkdir -p "$output"

@@ -49,21 +49,22 @@ stiffness = 1e5
 steps = 1
 SCENE
     echo "letting particles of $scene collide" >&2
-    "$hgrid_dem" "$scene" --cache "${scene%.toml}.state" --settle-steps "${settle_steps:-2000}" --settle-only >&2
+    "$hgrid_dem" "$scene" --keep-state --settle-steps "${settle_steps:-2000}" --settle-only >&2
   fi
   echo "$scene"
 }
 
 started=$SECONDS
-# measure PART PARTS CSV SCENE OPTION...: times SCENE unless CSV is there; tells what is left of so many parts.
+# measure PART PARTS CSV ARGUMENT...: runs hgrid_dem with these arguments unless CSV is there; tells what is left of so
+# many parts.
 measure() {
-  local part=$1 parts=$2 csv=$3 scene=$4
-  shift 4
-  local spent=$((SECONDS - started))
-  echo "[$part of $parts] $(basename "$csv" .csv), about $((spent * (parts - part + 1) / (part > 1 ? part - 1 : 1))) s left" >&2
-  [[ -s $csv ]] && return
+  local part=$1 parts=$2 csv=$3
+  shift 3
+  local left=$(((SECONDS - started) * (parts - part + 1) / (part > 1 ? part - 1 : 1)))
+  echo "[$part of $parts] $(basename "$csv" .csv)$( ((part == 1)) || echo ", about $left s left")" >&2
+  [[ ! -s $csv ]] || return 0
   # shellcheck disable=SC2086  # a command with its arguments
-  ${HGRID_MEASURE:-} "$hgrid_dem" "$scene" --cache "${scene%.toml}.state" --csv "$csv.part" "$@" >&2
+  ${HGRID_MEASURE:-} "$hgrid_dem" "$@" --keep-state --csv "$csv.part" >&2
   mv "$csv.part" "$csv"
 }
 
