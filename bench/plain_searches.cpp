@@ -4,6 +4,7 @@
 // The classical linked cells and the plain hierarchical grid, timed like all others.
 #include "plain_searches.hpp"
 
+#include "hashed_grid.hpp"
 #include "hierarchical_grid.hpp"
 #include "library_searches.hpp"
 #include "linked_cell.hpp"
@@ -68,6 +69,24 @@ double largest_occupancy(const app::ParticleSet &set, const std::vector<double> 
   return largest;
 }
 
+using Sizes = std::vector<double>;
+
+// A search on the levels of the paper: `find` takes the particles, the cell sizes and the number of tested candidates.
+template <class Find>
+Contestant multilevel_search(const char *name, int level_count, Find find) {
+  Contestant contestant;
+  contestant.name = name;
+  if (level_count > 0) contestant.variant = "L" + std::to_string(level_count);
+  contestant.prepare = [level_count, find](const app::ParticleSet &set) {
+    const Sizes sizes = cell_sizes_of_paper(set, level_count);
+    Details details;
+    details.levels = static_cast<double>(sizes.size());
+    details.occupancy = largest_occupancy(set, sizes);
+    return plain_search(set, details, [&set, sizes, find](std::int64_t *tested) { return find(set, sizes, tested); });
+  };
+  return contestant;
+}
+
 }  // namespace
 
 Contestant linked_cell_search() {
@@ -83,19 +102,17 @@ Contestant linked_cell_search() {
 }
 
 Contestant hierarchical_grid_search(int level_count) {
-  Contestant contestant;
-  contestant.name = kPlain;
-  if (level_count > 0) contestant.variant = "L" + std::to_string(level_count);
-  contestant.prepare = [level_count](const app::ParticleSet &set) {
-    const std::vector<double> sizes = cell_sizes_of_paper(set, level_count);
-    Details details;
-    details.levels = static_cast<double>(sizes.size());
-    details.occupancy = largest_occupancy(set, sizes);
-    return plain_search(set, details, [&set, sizes](std::int64_t *tested) {
-      return hierarchical_grid_pairs(set.dimension, view(set), sizes, tested);
-    });
-  };
-  return contestant;
+  return multilevel_search(kPlain, level_count,
+                           [](const app::ParticleSet &set, const Sizes &sizes, std::int64_t *tested) {
+                             return hierarchical_grid_pairs(set.dimension, view(set), sizes, tested);
+                           });
+}
+
+Contestant hashed_grid_search(int level_count) {
+  return multilevel_search(kHashed, level_count,
+                           [](const app::ParticleSet &set, const Sizes &sizes, std::int64_t *tested) {
+                             return hashed_grid_pairs(view(set), sizes, tested);
+                           });
 }
 
 }  // namespace bench

@@ -40,7 +40,7 @@ Contestants programs(const Options &options, const std::string &isa) {
   Contestants list{bench::engine_steps({}, isa)};
   add_engine_with_skins(options, isa, 1, list);
   add_engine_with_skins(options, isa, 2, list);
-  list.push_back(bench::plain_steps({}));
+  list.push_back(bench::plain_steps(0));
 #ifdef HGRID_PEER_LAMMPS
   for (const int collections : {0, 2, 3, 4, 6}) {
     for (const double skin : options.skins) list.push_back(bench::lammps_steps({1, skin, 0, true}, collections));
@@ -53,13 +53,14 @@ Contestants each_level_count(const Options &options, const std::string &isa) {
   Contestants list;
   for (const int count : options.levels) {
     list.push_back(bench::engine_steps({1, 0, count, false}, isa));
-    list.push_back(bench::plain_steps({1, 0, count, false}));
+    list.push_back(bench::plain_steps(count));
+    list.push_back(bench::hashed_steps(count));
   }
   return list;
 }
 
 Contestants each_size(const Options &options, const std::string &isa) {
-  Contestants list{bench::engine_steps({}, isa), bench::plain_steps({})};
+  Contestants list{bench::engine_steps({}, isa), bench::plain_steps(0), bench::hashed_steps(0)};
   add_engine_with_skins(options, isa, 1, list);
   return list;
 }

@@ -17,7 +17,7 @@ namespace {
 class PlainSteps {
  public:
   // The particles stand in `order`, along a curve through space as in the other programs.
-  PlainSteps(const dem::Setup &setup, std::vector<std::uint32_t> order, int level_count);
+  PlainSteps(const dem::Setup &setup, std::vector<std::uint32_t> order, const Contestant &search);
 
   void run(std::uint64_t steps);
   MotionState state() const;
@@ -36,14 +36,14 @@ class PlainSteps {
   std::vector<double> forces_;  // [count][3]
 };
 
-PlainSteps::PlainSteps(const dem::Setup &setup, std::vector<std::uint32_t> order, int level_count)
+PlainSteps::PlainSteps(const dem::Setup &setup, std::vector<std::uint32_t> order, const Contestant &search)
     : setup_(dem::reordered(setup, order)), order_(std::move(order)), forces_(3 * setup.count()) {
   set_.centers = setup_.centers;
   set_.radii = setup_.radii;
   set_.has_box = setup_.walled[0] && setup_.walled[1] && setup_.walled[2];
   std::copy_n(setup_.box_min, 3, set_.box_min);
   std::copy_n(setup_.box_max, 3, set_.box_max);
-  search_ = hierarchical_grid_search(level_count).prepare(set_);
+  search_ = search.prepare(set_);
   find_forces();
 }
 
@@ -106,14 +106,12 @@ MotionState PlainSteps::state() const {
   return state;
 }
 
-}  // namespace
-
-StepContestant plain_steps(const StepSetting &setting) {
+StepContestant steps_with(const Contestant &search) {
   StepContestant contestant;
-  contestant.name = kPlain;
-  if (setting.level_count > 0) contestant.variant = "L" + std::to_string(setting.level_count);
-  contestant.prepare = [setting](const dem::Setup &setup) {
-    const auto steps = std::make_shared<PlainSteps>(setup, dem::space_order(setup), setting.level_count);
+  contestant.name = search.name;
+  contestant.variant = search.variant;
+  contestant.prepare = [search](const dem::Setup &setup) {
+    const auto steps = std::make_shared<PlainSteps>(setup, dem::space_order(setup), search);
     Stepper stepper;
     stepper.run = [steps](std::uint64_t count) { steps->run(count); };
     stepper.state = [steps] { return steps->state(); };
@@ -122,5 +120,11 @@ StepContestant plain_steps(const StepSetting &setting) {
   };
   return contestant;
 }
+
+}  // namespace
+
+StepContestant plain_steps(int level_count) { return steps_with(hierarchical_grid_search(level_count)); }
+
+StepContestant hashed_steps(int level_count) { return steps_with(hashed_grid_search(level_count)); }
 
 }  // namespace bench

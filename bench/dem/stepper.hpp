@@ -50,9 +50,11 @@ struct StepSetting {
 // The engine of `hgrid run`.
 StepContestant engine_steps(const StepSetting &setting, const std::string &isa);
 
-// The plain hierarchical grid, a search in each step with the levels of the paper, and plain scalar code for forces
-// and motion. One thread, no skin.
-StepContestant plain_steps(const StepSetting &setting);
+// A search in each step with the levels of the paper (at most `level_count`, 0: as its rule chooses), and plain scalar
+// code for forces and motion, on one thread. The search: on particles sorted by cell, or on linked lists in a hash
+// table.
+StepContestant plain_steps(int level_count);
+StepContestant hashed_steps(int level_count);
 
 // LAMMPS, pair_style gran/hooke: collections 0 for lists of the style `bin`, else their number for `multi`.
 StepContestant lammps_steps(const StepSetting &setting, int collections);

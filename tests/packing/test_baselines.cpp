@@ -4,6 +4,7 @@
 // The baseline searches and the library against a comparison of all pairs, on packings of all laws.
 #include "../app/cmocka_cpp.hpp"
 #include "grid_handle.hpp"
+#include "hashed_grid.hpp"
 #include "hierarchical_grid.hpp"
 #include "linked_cell.hpp"
 #include "packing/packing.hpp"
@@ -70,6 +71,15 @@ std::vector<hg_pair> library_pairs(const app::ParticleSet &set, std::vector<doub
   return std::vector<hg_pair>(pairs.begin(), pairs.end());
 }
 
+bool same_from_hashed_grid(const app::ParticleSet &set, const std::vector<hg_pair> &expected,
+                           const std::vector<double> &paper_sizes) {
+  std::int64_t tested = 0;
+  return same("hashed grid", expected, bench::hashed_grid_pairs(view(set), paper_sizes, &tested)) &&
+         same("hashed grid, doubling", expected, bench::hashed_grid_pairs(view(set), doubling_sizes(set), nullptr)) &&
+         tested >= static_cast<std::int64_t>(expected.size()) &&
+         tested <= static_cast<std::int64_t>(set.count() * (set.count() - 1) / 2);
+}
+
 bool all_agree(const app::ParticleSet &set) {
   const std::vector<hg_pair> expected = all_pairs(set);
   std::vector<double> paper_sizes;
@@ -79,7 +89,8 @@ bool all_agree(const app::ParticleSet &set) {
                     same("hierarchical grid", expected,
                          bench::hierarchical_grid_pairs(set.dimension, view(set), paper_sizes, &many_levels)) &&
                     same("hierarchical grid, doubling", expected,
-                         bench::hierarchical_grid_pairs(set.dimension, view(set), doubling_sizes(set), nullptr));
+                         bench::hierarchical_grid_pairs(set.dimension, view(set), doubling_sizes(set), nullptr)) &&
+                    (set.dimension == 2 || same_from_hashed_grid(set, expected, paper_sizes));
   const std::int64_t all = static_cast<std::int64_t>(set.count() * (set.count() - 1) / 2);
   const std::int64_t found = static_cast<std::int64_t>(expected.size());
   return good && one_level >= found && one_level <= all && many_levels >= found && many_levels <= all;
@@ -141,7 +152,9 @@ bool edge_cases() {
          bench::linked_cell_pairs(3, view(points), nullptr).empty() &&
          bench::linked_cell_pairs(3, view(touching), nullptr).empty() &&
          bench::hierarchical_grid_pairs(3, view(none), {}, nullptr).empty() &&
-         bench::hierarchical_grid_pairs(3, view(touching), sizes, nullptr).empty();
+         bench::hierarchical_grid_pairs(3, view(touching), sizes, nullptr).empty() &&
+         bench::hashed_grid_pairs(view(none), {}, nullptr).empty() &&
+         bench::hashed_grid_pairs(view(touching), sizes, nullptr).empty();
 }
 
 void empty_points_and_touching(void **) {
@@ -149,12 +162,13 @@ void empty_points_and_touching(void **) {
   assert_true(ok);
 }
 
-bool refuses_small_cells() {
+template <class Search>
+bool refuses_small_cells(Search search) {
   app::ParticleSet set;
   set.centers = {0, 0, 0};
   set.radii = {1};
   try {
-    bench::hierarchical_grid_pairs(3, view(set), {1.5}, nullptr);
+    search(view(set), std::vector<double>{1.5});
   } catch (const std::invalid_argument &) {
     return true;
   }
@@ -162,8 +176,14 @@ bool refuses_small_cells() {
 }
 
 void cells_smaller_than_particles(void **) {
-  const bool ok = refuses_small_cells();
-  assert_true(ok);
+  const bool sorted = refuses_small_cells([](const bench::Particles &particles, const std::vector<double> &sizes) {
+    bench::hierarchical_grid_pairs(3, particles, sizes, nullptr);
+  });
+  const bool hashed = refuses_small_cells([](const bench::Particles &particles, const std::vector<double> &sizes) {
+    bench::hashed_grid_pairs(particles, sizes, nullptr);
+  });
+  assert_true(sorted);
+  assert_true(hashed);
 }
 
 bool differences_are_found() {
