@@ -61,7 +61,7 @@ mv whole $state
 # The sweeps and what is drawn from them.
 "$dem" uniform-volume-5-800.toml "${short[@]}" --keep-state --sweep levels --levels 1,2,3,4 --csv levels.csv \
   >out.txt 2>&1 || fault "levels: $(cat out.txt)"
-[ "$(field levels levels.csv | tr '\n' ' ')" = "1 1 2 2 3 3 4 4 " ] || fault "levels: $(field levels levels.csv)"
+[ "$(field levels levels.csv | tr "\n" " ")" = "1 1 1 2 2 2 3 3 3 4 4 4 " ] || fault "levels: $(field levels levels.csv)"
 "$dem" {mono-1,uniform-volume-5}-{400,800}.toml "${short[@]}" --sweep size --csv size.csv >out.txt 2>&1 ||
   fault "size: $(cat out.txt)"
 "$python" "$bench/plot/figures.py" --output pictures levels.csv size.csv >out.txt 2>&1 || fault "figures.py: $(cat out.txt)"
