@@ -10,13 +10,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 namespace bench {
 namespace {
 
 class PlainSteps {
  public:
-  // The particles stand in `order`, along a curve through space as in the other programs.
+  // The particles stand in `order`.
   PlainSteps(const dem::Setup &setup, std::vector<std::uint32_t> order, const Contestant &search);
 
   void run(std::uint64_t steps);
@@ -106,12 +107,20 @@ MotionState PlainSteps::state() const {
   return state;
 }
 
-StepContestant steps_with(const Contestant &search) {
+using OrderOf = std::vector<std::uint32_t> (*)(const dem::Setup &);
+
+std::vector<std::uint32_t> given_order(const dem::Setup &setup) {
+  std::vector<std::uint32_t> order(setup.count());
+  std::iota(order.begin(), order.end(), 0u);
+  return order;
+}
+
+StepContestant steps_with(const Contestant &search, OrderOf order_of) {
   StepContestant contestant;
   contestant.name = search.name;
   contestant.variant = search.variant;
-  contestant.prepare = [search](const dem::Setup &setup) {
-    const auto steps = std::make_shared<PlainSteps>(setup, dem::space_order(setup), search);
+  contestant.prepare = [search, order_of](const dem::Setup &setup) {
+    const auto steps = std::make_shared<PlainSteps>(setup, order_of(setup), search);
     Stepper stepper;
     stepper.run = [steps](std::uint64_t count) { steps->run(count); };
     stepper.state = [steps] { return steps->state(); };
@@ -123,8 +132,10 @@ StepContestant steps_with(const Contestant &search) {
 
 }  // namespace
 
-StepContestant plain_steps(int level_count) { return steps_with(hierarchical_grid_search(level_count)); }
+StepContestant plain_steps(int level_count) {
+  return steps_with(hierarchical_grid_search(level_count), dem::space_order);
+}
 
-StepContestant hashed_steps(int level_count) { return steps_with(hashed_grid_search(level_count)); }
+StepContestant hashed_steps(int level_count) { return steps_with(hashed_grid_search(level_count), given_order); }
 
 }  // namespace bench

@@ -51,8 +51,9 @@ struct StepSetting {
 StepContestant engine_steps(const StepSetting &setting, const std::string &isa);
 
 // A search in each step with the levels of the paper (at most `level_count`, 0: as its rule chooses), and plain scalar
-// code for forces and motion, on one thread. The search: on particles sorted by cell, or on linked lists in a hash
-// table.
+// code for forces and motion, on one thread. `plain` searches among particles sorted by cell and keeps them sorted
+// along a curve through space, as the other programs do; `hashed` goes through linked lists in a hash table, and its
+// particles stand in memory as they were given: the paper speaks of no order.
 StepContestant plain_steps(int level_count);
 StepContestant hashed_steps(int level_count);
 
