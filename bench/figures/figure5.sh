@@ -25,7 +25,7 @@ for count in "${counts[@]}"; do
   csvs+=("$csv")
   # About as many moves of particles in each turn; with a skin, some searches anew are among them.
   measure ${#csvs[@]} ${#counts[@]} "$csv" "${scenes[@]}" --sweep size --skins 0.2 \
-    --steps $((count < 60000 ? 12000000 / count : 100)) --repeats 7 --turn-seconds 1.5 --first-steps 5
+    --steps $((count < 60000 ? 12000000 / count : 100)) --repeats 5 --turn-seconds 1 --first-steps 5
 done
 join "$output/figure5.csv" "${csvs[@]}"
 python3 "$here/../plot/figures.py" --output "$here/../../docs/images" "$output/figure5.csv"
