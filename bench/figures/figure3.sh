@@ -5,7 +5,9 @@
 # Needs POV-Ray (Debian: povray). About four minutes, with the packings.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
+# shellcheck disable=SC2034  # systems.sh uses them
 build=${1:-build} work=${2:-figures-work} images=${3:-$here/../../docs/images}
+# shellcheck source=bench/figures/systems.sh
 . "$here/systems.sh"
 command -v povray >/dev/null || { echo "povray is not there (apt-get install povray)" >&2; exit 1; }
 edge=${HGRID_PICTURE_EDGE:-425}  # pixels

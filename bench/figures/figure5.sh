@@ -4,8 +4,10 @@
 # Fig. 5 of the paper, time relative to equal spheres against N: bench/figures/figure5.sh [BUILD [WORK [OUTPUT]]].
 # OUTPUT is the folder of figure5.csv, the picture goes to docs/images. About fifteen minutes, with the packings.
 set -euo pipefail
+# shellcheck disable=SC2034  # systems.sh uses them
 build=${1:-build} work=${2:-figures-work} output=${3:-$work}
 here=$(dirname "${BASH_SOURCE[0]}")
+# shellcheck source=bench/figures/systems.sh
 . "$here/systems.sh"
 mkdir -p "$output"
 

@@ -4,7 +4,9 @@
 # Whole steps per second of the paper's systems beside LAMMPS: bench/figures/steps.sh [BUILD [WORK [OUTPUT]]].
 # OUTPUT is the folder of steps.csv. About five minutes, with the packings.
 set -euo pipefail
+# shellcheck disable=SC2034  # systems.sh uses them
 build=${1:-build} work=${2:-figures-work} output=${3:-$work}
+# shellcheck source=bench/figures/systems.sh
 . "$(dirname "${BASH_SOURCE[0]}")/systems.sh"
 mkdir -p "$output"
 
