@@ -5,6 +5,7 @@
 # build, work: the build folder and the folder for everything made on the way. HGRID_MEASURE, if set, is a command put
 # before each measurement (e.g. "taskset -c 1").
 # shellcheck shell=bash
+# shellcheck disable=SC2154
 
 hgrid=$build/app/hgrid
 hgrid_dem=$build/bench/hgrid_dem
