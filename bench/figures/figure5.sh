@@ -20,7 +20,7 @@ for count in "${counts[@]}"; do
     read -r law ratio <<<"$system"
     # The largest of so few particles would stay far below the law's.
     if ((ratio < 50 || count >= 3000)); then
-      scenes+=("$(settle_steps=$((count < 100000 ? 2000 : 200000000 / count)) settled "$law" "$ratio" "$count")")
+      scenes+=("$(settle_steps=$((count < 100000 ? 2000 : count < 1000000 ? 1000 : 400)) settled "$law" "$ratio" "$count")")
     fi
   done
   csv=$work/size-$count.csv

@@ -125,7 +125,7 @@ def relative_times(rows):
     lines = []
     for k, law in enumerate(in_order(law_text(r) for r in rows if law_of(r) != "mono")):
         points = [(r.particles, r.ns / mono[r.particles]) for r in rows if law_text(r) == law]
-        lines.append(Line(law, points, k))
+        lines.append(Line(law.replace("uniform ", ""), points, k))
     return lines
 
 
@@ -138,7 +138,7 @@ def draw_figure_5(rows, path):
         lines = relative_times(group)
         for law in in_order(map(law_text, group)):
             own = {r.particles: r for r in group if law_text(r) == law}
-            relative = next((dict(line.points) for line in lines if line.label == law), None)
+            relative = next((dict(x.points) for x in lines if x.label == law.replace("uniform ", "")), None)
             cells = [
                 "-" if n not in own else f"{relative[n]:.2f}" if relative else f"{own[n].ns:.1f} ns"
                 for n in in_order(r.particles for r in rows)
