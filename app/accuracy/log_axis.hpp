@@ -18,7 +18,8 @@ class LogAxis {
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     low_ = std::log10(*least);
     high_ = std::log10(*most);
-    const double room = 0.07 * (high_ - low_) + 0.06;
+    // At least a decade, so that there are ticks and small differences look small.
+    const double room = std::max(0.07 * (high_ - low_) + 0.06, 0.5 * (1 - (high_ - low_)));
     low_ -= room;
     high_ += room;
   }
