@@ -14,17 +14,12 @@ for program in "$hgrid" "$hgrid_dem"; do
 done
 mkdir -p "$work"
 
-# Larger packings are relaxed instead of grown by events, which would take an hour at a million particles.
-most_grown=125001
-
-# packing LAW RATIO COUNT: makes the packing and prints its file's name.
+# packing LAW RATIO COUNT: grows the packing by events and prints its file's name.
 packing() {
-  local method=event
-  (($3 <= most_grown)) || method=relax
   local file=$work/$1-$2-$3.csv
   if [[ ! -s $file ]]; then
-    echo "making $file ($method)" >&2
-    "$hgrid" pack --method "$method" --law "$1" --ratio "$2" --count "$3" --output "$file.part.csv" >&2
+    echo "growing $file" >&2
+    "$hgrid" pack --method event --law "$1" --ratio "$2" --count "$3" --output "$file.part.csv" >&2
     mv "$file.part.csv" "$file"
   fi
   echo "$file"
