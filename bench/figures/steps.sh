@@ -13,14 +13,12 @@ mkdir -p "$output"
 # Threads that are moved between cores in the middle of a turn would be timed with their caches cold.
 export OMP_PROC_BIND=true
 
-# Turns as long as some searches anew of each program take.
-systems=("mono 1 100 0.1,0.2,0.4" "uniform-volume 50 300 0.2,0.4,0.8")
+systems=("mono 1" "uniform-volume 50")
 csvs=()
 for ((k = 0; k < ${#systems[@]}; ++k)); do
-  read -r law ratio steps skins <<<"${systems[k]}"
+  read -r law ratio <<<"${systems[k]}"
   scene=$(settle_steps=0 settled "$law" "$ratio" 125001)
   csvs+=("$work/steps-$law.csv")
-  measure $((k + 1)) ${#systems[@]} "${csvs[k]}" "$scene" --steps "$steps" --skins "$skins" --repeats 5 \
-    --turn-seconds 2.5 --first-steps 5
+  measure $((k + 1)) ${#systems[@]} "${csvs[k]}" "$scene" --steps 100 --repeats 5 --turn-seconds 3 --first-steps 5
 done
 join "$output/steps.csv" "${csvs[@]}"
