@@ -130,7 +130,10 @@ class Run {
     const std::uint64_t step = engine_.steps_done();
     const bool row = is_time(scene_.output.energies), shows = !quiet_ && line_.is_due();
     if (row || shows) {
+      // Measuring does a part of the next step's work, so it counts as work.
+      const Clock::time_point start = Clock::now();
       const dem::Measurement m = engine_.measure();
+      line_.worked(0, seconds_since(start));
       if (!std::isfinite(m.energy())) throw Error("the energy is not finite at step " + std::to_string(step));
       if (row) recorder_.energies(step, m);
       if (shows) line_.show(step, m);
