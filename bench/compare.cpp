@@ -5,6 +5,7 @@
 // same pairs. Exit code 0 only if they do.
 #include "library_searches.hpp"
 #include "machine.hpp"
+#include "program.hpp"
 #include "results.hpp"
 #include "sweeps.hpp"
 #include "verdict.hpp"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <set>
 #include <string>
 #include <vector>
@@ -181,13 +181,5 @@ int main(int argc, char **argv) {
   CLI::App command("Time contact searches side by side and compare their pairs");
   Options options;
   add_options(command, options);
-  try {
-    command.parse(argc, argv);
-    return compare(options);
-  } catch (const CLI::Error &error) {
-    return command.exit(error);
-  } catch (const std::exception &error) {
-    std::fprintf(stderr, "hgrid_compare: %s\n", error.what());
-    return 1;
-  }
+  return bench::run_program(command, "hgrid_compare", argc, argv, [&] { return compare(options); });
 }

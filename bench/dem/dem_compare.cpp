@@ -5,6 +5,7 @@
 // code, and by LAMMPS. Exit code 0 only if all move the particles alike.
 #include "library_searches.hpp"
 #include "machine.hpp"
+#include "program.hpp"
 #include "step_results.hpp"
 #include "stepper.hpp"
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -166,13 +166,5 @@ int main(int argc, char **argv) {
   CLI::App command("Time whole steps of a scene in several programs and compare the motion");
   Options options;
   add_options(command, options);
-  try {
-    command.parse(argc, argv);
-    return compare(options);
-  } catch (const CLI::Error &error) {
-    return command.exit(error);
-  } catch (const std::exception &error) {
-    std::fprintf(stderr, "hgrid_dem: %s\n", error.what());
-    return 1;
-  }
+  return bench::run_program(command, "hgrid_dem", argc, argv, [&] { return compare(options); });
 }

@@ -3,18 +3,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The built command from end to end: command.sh HGRID VERSION. Counts come from closed forms of lattices and from a
 # search of all pairs in awk, on coordinates that are multiples of 1/64, where doubles are exact.
-set -u
 hgrid=$(realpath "$1")
 version=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-
-fault() {
-  echo "FAILED: $*" >&2
-  failures=$((failures + 1))
-}
+# shellcheck source=tests/support/checks.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../support/checks.sh"
 
 # equal WHAT FOUND EXPECTED
 equal() { [ "$2" = "$3" ] || fault "$1: found '$2', expected '$3'"; }
@@ -209,5 +201,4 @@ test_levels
 test_failures
 test_broken_output
 test_help
-[ $failures -eq 0 ] || { echo "$failures checks failed" >&2; exit 1; }
-echo "all checks passed"
+finish "all checks passed"

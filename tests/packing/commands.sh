@@ -2,17 +2,9 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
 # hgrid pack, slice, bench and calibrate as a user calls them: commands.sh HGRID.
-set -u
 hgrid=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-
-fault() {
-  echo "FAILED: $*" >&2
-  failures=$((failures + 1))
-}
+# shellcheck source=tests/support/checks.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../support/checks.sh"
 
 works() { "$hgrid" "$@" >out.txt 2>err.txt || fault "$*: exit code $?: $(cat err.txt)"; }
 
@@ -134,5 +126,4 @@ printf 'x,y,z,r\n' >empty.csv
 fails 1 "no particles" bench empty.csv
 fails 1 "no particles" calibrate empty.csv
 
-[ "$failures" = 0 ] || exit 1
-echo "pack, slice, bench and calibrate do what they say"
+finish "pack, slice, bench and calibrate do what they say"

@@ -2,30 +2,16 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
 # hgrid_compare on small packings: compare.sh HGRID HGRID_COMPARE PYTHON BENCH_FOLDER PEER...
-set -u
 hgrid=$1
 compare=$2
 python=$3
 bench=$4
 shift 4
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-
-fault() {
-  echo "FAILED: $*" >&2
-  failures=$((failures + 1))
-}
+# shellcheck source=tests/support/checks.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../support/checks.sh"
 
 # contacts FILE ACCURACY: what hgrid pairs finds without the box.
 contacts() { "$hgrid" pairs "$1" --open --accuracy "$2" --count | awk '$1 == "contacts" && NF == 2 { print $2 }'; }
-
-# field NAME FILE: the values of a column, without quotes. No text before the last columns holds a comma.
-field() {
-  awk -F, -v name="$1" 'NR == 1 { for (k = 1; k <= NF; ++k) if ($k == name) c = k; if (!c) exit 1; next }
-    { gsub(/"/, "", $c); print $c }' "$2"
-}
 
 # Every row found the pairs of `hgrid pairs`: the library in its accuracy, all others as doubles decide.
 check_rows() {
@@ -86,5 +72,4 @@ grep -q "'x' is no number" out.txt || fault "the number is not named: $(cat out.
 "$compare" polydisperse.csv --only 'nobody/*' >out.txt 2>&1 && fault "measuring nobody is no failure"
 HGRID_ISA=none "$compare" polydisperse.csv --repeats 1 >out.txt 2>&1 && fault "an unknown instruction set is no failure"
 
-[ "$failures" = 0 ] || exit 1
-echo "hgrid_compare agrees on all laws"
+finish "hgrid_compare agrees on all laws"

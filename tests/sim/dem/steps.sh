@@ -2,21 +2,13 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
 # hgrid_dem on small scenes: steps.sh HGRID HGRID_DEM PYTHON BENCH_FOLDER PEER...
-set -u
 hgrid=$1
 dem=$2
 python=$3
 bench=$4
 shift 4
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failures=0
-
-fault() {
-  echo "FAILED: $*" >&2
-  failures=$((failures + 1))
-}
+# shellcheck source=tests/support/checks.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../../support/checks.sh"
 
 # scene FILE LAW RATIO COUNT [MORE]: a small packing and its scene.
 scene() {
@@ -29,12 +21,6 @@ for count in 400 800; do
   scene uniform-volume-5-$count uniform-volume 5 $count
 done
 short=(--collisions 0.2 --settle-steps 200 --steps 20 --repeats 2 --skins 0.1)
-
-# field NAME FILE: the values of a column, without quotes. No text before the last columns holds a comma.
-field() {
-  awk -F, -v name="$1" 'NR == 1 { for (k = 1; k <= NF; ++k) if ($k == name) c = k; if (!c) exit 1; next }
-    { gsub(/"/, "", $c); print $c }' "$2"
-}
 
 # All programs move the particles alike and keep the energy.
 "$dem" mono-1-800.toml uniform-volume-5-800.toml "${short[@]}" --csv steps.csv >out.txt 2>&1 || fault "$(cat out.txt)"
@@ -75,5 +61,4 @@ viscosity = 1'
 "$dem" sticky.toml "${short[@]}" >out.txt 2>&1 && fault "a scene with drag is no failure"
 grep -q 'elastic spheres between walls' out.txt || fault "drag: $(cat out.txt)"
 
-[ "$failures" = 0 ] || exit 1
-echo "all programs move the particles alike"
+finish "all programs move the particles alike"
