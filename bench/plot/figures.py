@@ -143,8 +143,8 @@ def draw_figure_5(rows, path):
                 "-" if n not in own else f"{relative[n]:.2f}" if relative else f"{own[n].ns:.1f} ns"
                 for n in in_order(r.particles for r in rows)
             ]
-            steepness = slope([(n, n * r.ns) for n, r in own.items()])
-            print(f"| {name} | {law} | " + " | ".join(cells) + f" | {steepness:.3f} |")
+            steepness = f"{slope([(n, n * r.ns) for n, r in own.items()]):.3f}" if len(own) > 1 else "-"
+            print(f"| {name} | {law} | " + " | ".join(cells) + f" | {steepness} |")
         counts = [r.particles for r in group]
         lines.append(Line("paper, largest", [(n, PAPER_LARGEST) for n in (min(counts), max(counts))], PAPER, True))
         panels.append((name, lines))
