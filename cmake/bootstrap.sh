@@ -55,7 +55,8 @@ hgrid_require_packages() {
   fi
   local package missing=()
   for package in "$@"; do
-    [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || missing+=("$package")
+    # A line for each architecture that the package is there for.
+    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
   done
   ((${#missing[@]} > 0)) || return 0
   local become_root=()
