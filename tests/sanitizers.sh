@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The part of the suite that is worth its time under sanitizers: the interface, the core, hard cases and past findings
 # of the fuzzers under the address and undefined-behaviour sanitizers, what uses threads under the thread sanitizer.
+# The fuzzers of scenes and checkpoints are left to fuzz/run.sh: compiling the simulation for them takes minutes.
 # For everything: cmake --preset asan-ubsan, or tsan, then build and ctest with the same preset.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -20,6 +21,7 @@ build_and_run() {
   ctest --preset "$preset" -j"$(nproc)" "$@"
 }
 
-build_and_run asan-ubsan '^(tests/(unit|api|hard_cases)|fuzz)/' -L 'unit|api|hard_cases|fuzz'
+build_and_run asan-ubsan '^(tests/(unit|api|hard_cases)/|fuzz/fuzz_replay_(grid|csv|lammps|xyz)$)' \
+  -L 'unit|api|hard_cases|fuzz' -E '^fuzz\.(scene|checkpoint)$'
 build_and_run tsan '/(test_build|test_last_error|hard_cases.processes)$' \
   -R '^(test_build|test_last_error|hard_cases.processes)$'
