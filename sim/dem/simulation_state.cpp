@@ -38,6 +38,18 @@ struct Fingerprint {
   double time_step;
 };
 
+// The arrays of a checkpoint: what is written and what is read is one list.
+template <class SomeBodies, class Visit>
+void visit_arrays(SomeBodies &bodies, Visit visit) {
+  visit("position", bodies.position);
+  visit("velocity", bodies.velocity);
+  visit("force", bodies.force);
+  visit("radius", bodies.radius);
+  visit("inverse mass", bodies.inverse_mass);
+  visit("spin", bodies.spin);
+  visit("torque", bodies.torque);
+}
+
 }  // namespace
 
 template <int D, class Real>
@@ -123,13 +135,7 @@ void Simulation<D, Real>::save(Checkpoint &checkpoint) const {
   checkpoint.put_value("steps", steps_);
   checkpoint.put_value("forces known", static_cast<std::uint64_t>(forces_known_));
   checkpoint.put_value("last drift", last_drift_);
-  checkpoint.put("position", bodies_.position);
-  checkpoint.put("velocity", bodies_.velocity);
-  checkpoint.put("force", bodies_.force);
-  checkpoint.put("radius", bodies_.radius);
-  checkpoint.put("inverse mass", bodies_.inverse_mass);
-  checkpoint.put("spin", bodies_.spin);
-  checkpoint.put("torque", bodies_.torque);
+  visit_arrays(bodies_, [&](const char *name, const auto &array) { checkpoint.put(name, array); });
   pair_memory_.save("pair", checkpoint);
   wall_memory_.save("wall", checkpoint);
 }
@@ -157,13 +163,7 @@ void Simulation<D, Real>::restore(const Checkpoint &checkpoint) {
   steps_ = checkpoint.get_value<std::uint64_t>("steps");
   forces_known_ = checkpoint.get_value<std::uint64_t>("forces known") != 0;
   last_drift_ = checkpoint.get_value<double>("last drift");
-  checkpoint.get("position", bodies_.position);
-  checkpoint.get("velocity", bodies_.velocity);
-  checkpoint.get("force", bodies_.force);
-  checkpoint.get("radius", bodies_.radius);
-  checkpoint.get("inverse mass", bodies_.inverse_mass);
-  checkpoint.get("spin", bodies_.spin);
-  checkpoint.get("torque", bodies_.torque);
+  visit_arrays(bodies_, [&](const char *name, auto &array) { checkpoint.get(name, array); });
   pair_memory_.restore("pair", checkpoint);
   wall_memory_.restore("wall", checkpoint);
   list_wall_contacts();
