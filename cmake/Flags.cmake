@@ -3,6 +3,8 @@
 # Two interface targets carry all flags: hgrid_flags for everything we compile, hgrid_warnings for our own sources only.
 add_library(hgrid_flags INTERFACE)
 target_compile_features(hgrid_flags INTERFACE cxx_std_17)
+# Includes of our own files are written from the root.
+target_include_directories(hgrid_flags INTERFACE ${PROJECT_SOURCE_DIR})
 # Contraction of a*b+c into one rounding depends on the machine; pairs must not.
 target_compile_options(hgrid_flags INTERFACE $<$<COMPILE_LANGUAGE:C,CXX>:-ffp-contract=off>)
 if(HGRID_SANITIZE)

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // A fuzzer's input taken apart into choices and doubles. Past its end every value is 0.
-#ifndef FUZZ_BYTES_HPP
-#define FUZZ_BYTES_HPP
+#pragma once
 
 #include <cmath>
 #include <cstddef>
@@ -13,11 +12,11 @@ namespace fuzz {
 
 class Bytes {
  public:
-  Bytes(const std::uint8_t *data, std::size_t size) : data_(data), left_(size) {}
+  Bytes(const uint8_t *data, size_t size) : data_(data), left_(size) {}
 
   bool empty() const { return left_ == 0; }
 
-  std::uint8_t byte() {
+  uint8_t byte() {
     if (left_ == 0) return 0;
     --left_;
     return *data_++;
@@ -28,8 +27,8 @@ class Bytes {
 
   // Any 64 bits as a double: NaN, infinities and subnormals come.
   double any_double() {
-    std::uint64_t bits = 0;
-    for (int k = 0; k < 8; ++k) bits = bits << 8 | byte();
+    uint64_t bits = 0;
+    for (int k = 0; k < 8; k++) bits = bits << 8 | byte();
     double value = 0;
     std::memcpy(&value, &bits, sizeof value);
     return value;
@@ -44,17 +43,17 @@ class Bytes {
         value = any_double();
         break;
       case 1:
-        value = std::ldexp(below(2) == 0 ? 1 : -1, static_cast<std::int8_t>(byte()) * 8);
+        value = std::ldexp(below(2) == 0 ? 1 : -1, static_cast<int8_t>(byte()) * 8);
         break;
       case 2:
         value = before_[below(kKept)];
-        for (int ulps = below(4); ulps > 0; --ulps) value = std::nextafter(value, 0);
+        for (int ulps = below(4); ulps > 0; ulps--) value = std::nextafter(value, 0);
         break;
       case 3:
         value = before_[below(kKept)] + before_[below(kKept)];
         break;
       default:
-        value = static_cast<std::int8_t>(byte()) / 8.0;
+        value = static_cast<int8_t>(byte()) / 8.0;
     }
     before_[next_++ % kKept] = value;
     return value;
@@ -68,12 +67,10 @@ class Bytes {
 
  private:
   static constexpr int kKept = 8;
-  const std::uint8_t *data_;
-  std::size_t left_;
+  const uint8_t *data_;
+  size_t left_;
   double before_[kKept] = {};
   unsigned next_ = 0;
 };
 
 }  // namespace fuzz
-
-#endif

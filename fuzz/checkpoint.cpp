@@ -3,11 +3,11 @@
 // Fuzzes the reader of checkpoints: a damaged one of a small scene is refused with a text, or goes on.
 //
 // The input is a list of changes to a sound checkpoint; the checksum is made to fit, else nothing would come past it.
-#include "expect.hpp"
-#include "memory_file.hpp"
-#include "sim/dem/engine.hpp"
-#include "sim/dem/error.hpp"
-#include "sim/dem/time_step.hpp"
+#include "dem/engine/engine.hpp"
+#include "dem/engine/error.hpp"
+#include "dem/engine/time_step.hpp"
+#include "fuzz/expect.hpp"
+#include "fuzz/memory_file.hpp"
 
 #include <cstdint>
 #include <cstring>
@@ -26,7 +26,7 @@ dem::Setup small_setup() {
   setup.radii.assign(4, 1.0);
   setup.masses.assign(4, 1.0);
   setup.velocities.assign(12, 0.1);
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; k++) {
     setup.box_max[k] = 8;
     setup.walled[k] = true;
   }
@@ -54,7 +54,7 @@ std::string sound_checkpoint(const dem::Setup &setup) {
 }
 
 // Changes of three bytes each: where (of 2^16), then what to write there; a long one at the end cuts the file.
-std::string changed(std::string bytes, const std::uint8_t *data, std::size_t size) {
+std::string changed(std::string bytes, const uint8_t *data, size_t size) {
   for (; size >= 3; data += 3, size -= 3) bytes[(data[0] + 256u * data[1]) % bytes.size()] = static_cast<char>(data[2]);
   if (size == 2) bytes.resize((data[0] + 256u * data[1]) % bytes.size());
   return bytes;
@@ -62,12 +62,12 @@ std::string changed(std::string bytes, const std::uint8_t *data, std::size_t siz
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   static const dem::Setup setup = small_setup();
   static const std::string sound = sound_checkpoint(setup);
   std::string bytes = changed(sound, data, size);
-  const std::size_t covered = bytes.size() < sizeof(std::uint64_t) ? 0 : bytes.size() - sizeof(std::uint64_t);
-  const std::uint64_t sum = dem::Checkpoint::checksum(bytes.data(), covered);
+  const size_t covered = bytes.size() < sizeof(uint64_t) ? 0 : bytes.size() - sizeof(uint64_t);
+  const uint64_t sum = dem::Checkpoint::checksum(bytes.data(), covered);
   if (covered > 0) std::memcpy(&bytes[covered], &sum, sizeof sum);
   try {
     const fuzz::MemoryFile file(bytes);

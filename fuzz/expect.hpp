@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What a fuzz target claims: a claim that does not hold is a finding.
-#ifndef FUZZ_EXPECT_HPP
-#define FUZZ_EXPECT_HPP
+#pragma once
 
 #include <cstdio>
 #include <cstdlib>
@@ -16,5 +15,3 @@ inline void expect(bool holds, const char *text) {
 }
 
 }  // namespace fuzz
-
-#endif

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes the C interface: a definition, then any sequence of calls, checked against a plain list in exact arithmetic.
-#include "bytes.hpp"
-#include "expect.hpp"
-#include "grid_model.hpp"
+#include "fuzz/bytes.hpp"
+#include "fuzz/expect.hpp"
+#include "fuzz/grid_model.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -16,7 +16,7 @@ using fuzz::GridModel;
 using hgtest::Pairs;
 using hgtest::Particles;
 
-constexpr std::size_t kMostParticles = 16;  // more only cost time: every pair is decided in rational numbers
+constexpr size_t kMostParticles = 16;  // more only cost time: every pair is decided in rational numbers
 constexpr int kMostCalls = 24;
 
 struct DestroyGrid {
@@ -44,14 +44,14 @@ hg_grid_def draw_definition(Bytes &bytes, double (&cells)[HG_MAX_LEVELS]) {
   if (bytes.below(3) == 0) def.skin = bytes.length();
   if (bytes.below(8) == 0) def.cell_overhead = bytes.number();
   const int axes = bytes.below(16);
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; k++) {
     def.periodic[k] = axes < 8 ? axes >> k & 1 : 0;
     if (def.periodic[k] == 0) continue;
     def.box_min[k] = bytes.number();
     def.box_max[k] = def.box_min[k] + 8 * bytes.length();
   }
   if (def.level_rule == HG_LEVELS_USER) {
-    for (int h = 0; h < def.level_count; ++h) cells[h] = (h > 0 ? cells[h - 1] : 0) + bytes.length();
+    for (int h = 0; h < def.level_count; h++) cells[h] = (h > 0 ? cells[h - 1] : 0) + bytes.length();
     def.cell_sizes = cells;
   }
   return def;
@@ -63,7 +63,7 @@ class Session {
       : bytes_(bytes), def_(def), model_(def), grid_(std::move(grid)) {}
 
   void run() {
-    for (int call = 0; call < kMostCalls && !bytes_.empty(); ++call) {
+    for (int call = 0; call < kMostCalls && !bytes_.empty(); call++) {
       switch (bytes_.below(12)) {
         case 0:
         case 1:
@@ -104,9 +104,9 @@ class Session {
     Particles batch;
     batch.dimension = def_.dimension;
     const int count = bytes_.below(8);
-    for (int i = 0; i < count && model_.size() + batch.size() < kMostParticles; ++i) {
+    for (int i = 0; i < count && model_.size() + batch.size() < kMostParticles; i++) {
       double center[3];
-      for (int k = 0; k < def_.dimension; ++k) center[k] = bytes_.number();
+      for (int k = 0; k < def_.dimension; k++) center[k] = bytes_.number();
       batch.add(center, bytes_.length());
     }
     const hg_status status = hg_insert(grid_.get(), batch.size(), batch.centers.data(), batch.radii.data());
@@ -123,7 +123,7 @@ class Session {
     Particles moved = model_.particles();
     const bool radii = bytes_.below(3) == 0;
     const int changes = bytes_.below(16);
-    for (int i = 0; i < changes && !moved.centers.empty(); ++i) {
+    for (int i = 0; i < changes && !moved.centers.empty(); i++) {
       double &x = moved.centers[bytes_.byte() % moved.centers.size()];
       x = bytes_.below(2) == 0 ? bytes_.number() : x + bytes_.number();
       if (radii) moved.radii[bytes_.byte() % moved.radii.size()] = bytes_.length();
@@ -140,11 +140,11 @@ class Session {
   }
 
   void remove() {
-    std::vector<std::int32_t> ids;
+    std::vector<int32_t> ids;
     const int count = bytes_.below(6);
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count; i++) {
       const bool known = bytes_.below(8) != 0 && model_.size() > 0;
-      ids.push_back(known ? model_.ids()[bytes_.byte() % model_.size()] : static_cast<std::int8_t>(bytes_.byte()));
+      ids.push_back(known ? model_.ids()[bytes_.byte() % model_.size()] : static_cast<int8_t>(bytes_.byte()));
     }
     const hg_status status = hg_remove(grid_.get(), ids.size(), ids.data());
     expect(status == HG_OK || status == HG_ERR_NOT_FOUND, "hg_remove gives an unexpected status");
@@ -158,7 +158,7 @@ class Session {
 
   void ask_pairs() {
     const hg_pair *pairs = nullptr;
-    std::size_t count = 0;
+    size_t count = 0;
     expect(hg_query_pairs(grid_.get(), &pairs, &count) == HG_OK, "hg_query_pairs fails");
     const Pairs found(pairs, pairs + count);
     expect(def_.pair_order != HG_ORDER_ID || std::is_sorted(found.begin(), found.end(), hgtest::pair_less),
@@ -166,7 +166,7 @@ class Session {
     model_.check_pairs(found);
   }
 
-  static std::int32_t collect(void *context, const hg_pair *pairs, std::size_t count) {
+  static int32_t collect(void *context, const hg_pair *pairs, size_t count) {
     Pairs &all = *static_cast<Pairs *>(context);
     all.insert(all.end(), pairs, pairs + count);
     return 0;
@@ -179,16 +179,16 @@ class Session {
   }
 
   void ask_neighbors() {
-    const std::int32_t list = bytes_.below(2);
-    const std::int64_t *offsets = nullptr;
-    const std::int32_t *neighbors = nullptr;
+    const int32_t list = bytes_.below(2);
+    const int64_t *offsets = nullptr;
+    const int32_t *neighbors = nullptr;
     expect(hg_query_neighbors(grid_.get(), list, &offsets, &neighbors) == HG_OK, "hg_query_neighbors fails");
     Pairs half;
-    std::size_t back = 0;
-    for (std::size_t row = 0; row < model_.size(); ++row) {
-      for (std::int64_t k = offsets[row]; k < offsets[row + 1]; ++k) {
+    size_t back = 0;
+    for (size_t row = 0; row < model_.size(); row++) {
+      for (int64_t k = offsets[row]; k < offsets[row + 1]; k++) {
         expect(k == offsets[row] || neighbors[k - 1] < neighbors[k], "a row of neighbours does not ascend");
-        const std::int32_t id = model_.ids()[row];
+        const int32_t id = model_.ids()[row];
         if (neighbors[k] > id) half.push_back({id, neighbors[k]});
         back += neighbors[k] < id ? 1 : 0;
       }
@@ -199,10 +199,10 @@ class Session {
 
   void ask_sphere() {
     double center[3];
-    for (int k = 0; k < def_.dimension; ++k) center[k] = bytes_.number();
+    for (int k = 0; k < def_.dimension; k++) center[k] = bytes_.number();
     const double radius = bytes_.length();
-    const std::int32_t *ids = nullptr;
-    std::size_t count = 0;
+    const int32_t *ids = nullptr;
+    size_t count = 0;
     const hg_status status = hg_query_sphere(grid_.get(), center, radius, &ids, &count);
     if (status != HG_OK) {
       expect_refusal(status);
@@ -215,12 +215,12 @@ class Session {
     expect(hg_build(grid_.get()) == HG_OK, "hg_build fails");
     const hg_level *levels = nullptr;
     const hg_level_cost *costs = nullptr;
-    std::size_t count = 0, cost_count = 0;
+    size_t count = 0, cost_count = 0;
     expect(hg_query_levels(grid_.get(), &levels, &count) == HG_OK, "hg_query_levels fails");
     expect(hg_query_level_costs(grid_.get(), &costs, &cost_count) == HG_OK, "hg_query_level_costs fails");
-    std::int64_t particles = 0;
-    for (std::size_t h = 0; h < count; ++h) particles += levels[h].particle_count;
-    expect(particles == static_cast<std::int64_t>(model_.size()), "the levels do not hold all particles");
+    int64_t particles = 0;
+    for (size_t h = 0; h < count; h++) particles += levels[h].particle_count;
+    expect(particles == static_cast<int64_t>(model_.size()), "the levels do not hold all particles");
     hg_grid_stats stats;
     expect(hg_get_stats(grid_.get(), &stats, sizeof stats) == HG_OK, "hg_get_stats fails");
     expect(stats.particle_count == particles, "the number of particles is wrong");
@@ -234,7 +234,7 @@ class Session {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   Bytes bytes(data, size);
   double cells[HG_MAX_LEVELS] = {};
   const hg_grid_def def = draw_definition(bytes, cells);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The list behind the fuzzer of the C interface.
-#include "grid_model.hpp"
+#include "fuzz/grid_model.hpp"
 
-#include "expect.hpp"
+#include "fuzz/expect.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,14 +42,14 @@ bool GridModel::may_take(const hgtest::Particles &particles) const {
 
 bool GridModel::must_take(const hgtest::Particles &particles) const {
   if (!may_take(particles) || def_.level_rule == HG_LEVELS_USER || def_.margin > 1e300) return false;
-  for (int k = 0; k < def_.dimension; ++k) {
+  for (int k = 0; k < def_.dimension; k++) {
     if (def_.periodic[k] != 0) return false;
   }
   return std::all_of(particles.radii.begin(), particles.radii.end(), [](double r) { return r < 1e300; });
 }
 
 void GridModel::insert(const hgtest::Particles &particles) {
-  for (std::size_t row = 0; row < particles.size(); ++row) {
+  for (size_t row = 0; row < particles.size(); row++) {
     particles_.add(particles.center(row), particles.radii[row]);
     ids_.push_back(next_id_++);
   }
@@ -60,15 +60,15 @@ void GridModel::move(const std::vector<double> &centers, const std::vector<doubl
   if (radii != nullptr) particles_.radii = *radii;
 }
 
-bool GridModel::remove(const std::vector<std::int32_t> &ids) {
-  std::vector<std::int32_t> gone = ids;
+bool GridModel::remove(const std::vector<int32_t> &ids) {
+  std::vector<int32_t> gone = ids;
   std::sort(gone.begin(), gone.end());
   if (std::adjacent_find(gone.begin(), gone.end()) != gone.end()) return false;
   if (!std::includes(ids_.begin(), ids_.end(), gone.begin(), gone.end())) return false;
   hgtest::Particles left;
   left.dimension = particles_.dimension;
-  std::vector<std::int32_t> left_ids;
-  for (std::size_t row = 0; row < ids_.size(); ++row) {
+  std::vector<int32_t> left_ids;
+  for (size_t row = 0; row < ids_.size(); row++) {
     if (std::binary_search(gone.begin(), gone.end(), ids_[row])) continue;
     left.add(particles_.center(row), particles_.radii[row]);
     left_ids.push_back(ids_[row]);
@@ -85,15 +85,15 @@ void GridModel::clear() {
   next_id_ = def_.index_base;
 }
 
-std::size_t GridModel::row_of(std::int32_t id) const {
-  return static_cast<std::size_t>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
+size_t GridModel::row_of(int32_t id) const {
+  return static_cast<size_t>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
 }
 
 // HG_DOUBLE is bound to its expression where squares are normal numbers and no image is in doubt.
 GridModel::Promise GridModel::promise(const hgtest::Particles &particles) const {
   if (def_.accuracy == HG_EXACT) return Promise::kExact;
   if (def_.accuracy == HG_FLOAT) return Promise::kFloat;
-  for (int k = 0; k < def_.dimension; ++k) {
+  for (int k = 0; k < def_.dimension; k++) {
     if (def_.periodic[k] != 0) return Promise::kSane;
   }
   for (const double r : particles.radii) {
@@ -119,14 +119,14 @@ void GridModel::check_pairs(Pairs pairs) const {
   expect(lacking(expected, pairs).empty(), "a pair is missing");
   for (const hg_pair &pair : lacking(pairs, expected)) {
     expect(held == Promise::kFloat, "a pair is wrong");
-    const std::size_t a = row_of(pair.a), b = row_of(pair.b);
+    const size_t a = row_of(pair.a), b = row_of(pair.b);
     const Sphere first = {particles_.center(a), particles_.radii[a]},
                  other = {particles_.center(b), particles_.radii[b]};
     expect(hgtest::relative_gap(def_, first, other) <= kFloatExtra, "an extra pair of HG_FLOAT is too far apart");
   }
 }
 
-void GridModel::check_sphere(const Sphere &sphere, const std::int32_t *ids, std::size_t count) const {
+void GridModel::check_sphere(const Sphere &sphere, const int32_t *ids, size_t count) const {
   expect(std::is_sorted(ids, ids + count), "ids of a sphere do not ascend");
   expect(std::adjacent_find(ids, ids + count) == ids + count, "an id of a sphere comes twice");
   expect(std::includes(ids_.begin(), ids_.end(), ids, ids + count), "a sphere meets an unknown particle");
@@ -134,7 +134,7 @@ void GridModel::check_sphere(const Sphere &sphere, const std::int32_t *ids, std:
   with_sphere.add(sphere.center, sphere.radius);
   const Promise held = promise(with_sphere);
   if (held == Promise::kSane || held == Promise::kFloat) return;
-  for (std::size_t row = 0; row < ids_.size(); ++row) {
+  for (size_t row = 0; row < ids_.size(); row++) {
     const Sphere particle = {particles_.center(row), particles_.radii[row]};
     const bool found = std::binary_search(ids, ids + count, ids_[row]);
     const bool wanted = held == Promise::kDouble ? hgtest::double_interact(def_, sphere, particle)

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // What a grid must hold and answer, kept as a plain list and decided in exact arithmetic.
-#ifndef FUZZ_GRID_MODEL_HPP
-#define FUZZ_GRID_MODEL_HPP
+#pragma once
 
-#include "oracle.hpp"
+#include "tests/support/oracle.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -22,29 +21,27 @@ class GridModel {
   void insert(const hgtest::Particles &particles);
   void move(const std::vector<double> &centers, const std::vector<double> *radii);
   // False, and nothing happens, if an id is unknown or comes twice.
-  bool remove(const std::vector<std::int32_t> &ids);
+  bool remove(const std::vector<int32_t> &ids);
   void clear();
 
-  std::size_t size() const { return ids_.size(); }
+  size_t size() const { return ids_.size(); }
   const hgtest::Particles &particles() const { return particles_; }
-  const std::vector<std::int32_t> &ids() const { return ids_; }
+  const std::vector<int32_t> &ids() const { return ids_; }
 
   // `pairs` is what the accuracy of the grid promises.
   void check_pairs(hgtest::Pairs pairs) const;
   // The same for the partners of a sphere.
-  void check_sphere(const hgtest::Sphere &sphere, const std::int32_t *ids, std::size_t count) const;
+  void check_sphere(const hgtest::Sphere &sphere, const int32_t *ids, size_t count) const;
 
  private:
   enum class Promise { kExact, kDouble, kFloat, kSane };
   Promise promise(const hgtest::Particles &particles) const;
-  std::size_t row_of(std::int32_t id) const;
+  size_t row_of(int32_t id) const;
 
   hg_grid_def def_;
   hgtest::Particles particles_;
-  std::vector<std::int32_t> ids_;
-  std::int32_t next_id_;
+  std::vector<int32_t> ids_;
+  int32_t next_id_;
 };
 
 }  // namespace fuzz
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // A file of the fuzzer's bytes that never touches a disk, for readers that take a path.
-#ifndef FUZZ_MEMORY_FILE_HPP
-#define FUZZ_MEMORY_FILE_HPP
+#pragma once
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -31,5 +30,3 @@ class MemoryFile {
 };
 
 }  // namespace fuzz
-
-#endif

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzzes the reader FUZZ_READER of app/particles: any bytes are read as particles that a grid may take, or refused with
+// Fuzzes the reader FUZZ_READER of particles/files: any bytes are read as particles that a grid may take, or refused with
 // a text.
-#include "error.hpp"
-#include "expect.hpp"
-#include "particles/readers.hpp"
+#include "fuzz/expect.hpp"
+#include "particles/error.hpp"
+#include "particles/files/readers.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -14,13 +14,13 @@ namespace {
 
 using fuzz::expect;
 
-void check(const app::ParticleSet &particles) {
+void check(const particles::ParticleSet &particles) {
   expect(particles.dimension == 2 || particles.dimension == 3, "neither 2 nor 3 dimensions");
-  expect(particles.centers.size() == particles.count() * static_cast<std::size_t>(particles.dimension),
+  expect(particles.centers.size() == particles.count() * static_cast<size_t>(particles.dimension),
          "centres and radii of different numbers of particles");
   for (const double x : particles.centers) expect(std::isfinite(x), "a centre is not finite");
   for (const double r : particles.radii) expect(std::isfinite(r) && r >= 0, "a radius is negative or not finite");
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; axis++) {
     const double low = particles.box_min[axis], high = particles.box_max[axis];
     expect(std::isfinite(low) && std::isfinite(high) && low <= high, "the box is upside down or not finite");
     expect(particles.periodic[axis] == 0 || particles.has_box, "a periodic axis without a box");
@@ -30,15 +30,15 @@ void check(const app::ParticleSet &particles) {
 }  // namespace
 
 // The first byte chooses the options, the rest is the file.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (size < 2) return 0;
-  app::ReadOptions options;
+  particles::ReadOptions options;
   options.dimension = data[0] % 4 == 1 ? 2 : data[0] % 4 == 2 ? 3 : 0;
   options.frame = data[0] / 4 % 4;
-  const app::TextFile file{"input", std::string(data + 1, data + size)};
+  const particles::TextFile file{"input", std::string(data + 1, data + size)};
   try {
-    check(app::FUZZ_READER(file, options));
-  } catch (const app::Error &error) {
+    check(particles::FUZZ_READER(file, options));
+  } catch (const particles::Error &error) {
     expect(error.what()[0] != '\0', "a refusal without a text");
   }
   return 0;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzzes the reader of scenes: any text is a scene that an engine takes and steps, or refused with a text.
-#include "sim/scene/scene.hpp"
+#include "dem/scene/scene.hpp"
 
-#include "expect.hpp"
-#include "memory_file.hpp"
-#include "sim/dem/error.hpp"
+#include "dem/engine/error.hpp"
+#include "fuzz/expect.hpp"
+#include "fuzz/memory_file.hpp"
 
 #include <toml++/toml.h>
 
@@ -52,7 +52,7 @@ void run(std::string_view text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   const std::string_view text(reinterpret_cast<const char *>(data), size);
   try {
     if (!is_small(toml::parse(text))) return 0;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "definition.hpp"
+#include "src/definition.hpp"
 
-#include "error.hpp"
-#include "sign.hpp"
+#include "src/base/error.hpp"
+#include "src/base/sign.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 // The caller's hg_grid_def, checked and copied.
 #pragma once
 
-#include "domain.hpp"
-#include "interaction.hpp"
-#include "level_cost.hpp"
+#include "src/exact/domain.hpp"
+#include "src/exact/interaction.hpp"
+#include "src/levels/level_cost.hpp"
 
 #include <hgrid/types.h>
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "grid.hpp"
+#include "src/grid.hpp"
 
-#include "error.hpp"
-#include "pair_search.hpp"
-#include "pair_visit.hpp"
-#include "parallel.hpp"
-#include "sign.hpp"
-#include "sphere_search.hpp"
+#include "src/base/error.hpp"
+#include "src/base/parallel.hpp"
+#include "src/base/sign.hpp"
+#include "src/pairs/pair_visit.hpp"
+#include "src/search/pair_search.hpp"
+#include "src/search/sphere_search.hpp"
 
 #include <algorithm>
 #include <cmath>

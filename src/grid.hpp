@@ -3,18 +3,18 @@
 // A grid as the C interface knows it: particles, the index over them, and the results lent to the caller.
 #pragma once
 
-#include "definition.hpp"
-#include "index.hpp"
-#include "level_plan.hpp"
-#include "memory.hpp"
-#include "neighbor_rows.hpp"
-#include "overlap.hpp"
-#include "pair_list.hpp"
-#include "pair_order.hpp"
-#include "pair_search.hpp"
-#include "particle_store.hpp"
-#include "size_classes.hpp"
-#include "stored_candidates.hpp"
+#include "src/base/memory.hpp"
+#include "src/definition.hpp"
+#include "src/exact/overlap.hpp"
+#include "src/index/index.hpp"
+#include "src/levels/level_plan.hpp"
+#include "src/levels/size_classes.hpp"
+#include "src/pairs/neighbor_rows.hpp"
+#include "src/pairs/pair_list.hpp"
+#include "src/pairs/pair_order.hpp"
+#include "src/particles/particle_store.hpp"
+#include "src/search/pair_search.hpp"
+#include "src/search/stored_candidates.hpp"
 
 #include <hgrid/types.h>
 

@@ -4,7 +4,7 @@
 // reading it in place would be undefined.
 #pragma once
 
-#include "memory.hpp"
+#include "src/base/memory.hpp"
 
 #include <cstdint>
 #include <cstring>
@@ -17,7 +17,7 @@ class Aligned {
   // `count` rows of `width` values. The copy, if it takes one, comes from the allocator of the grid.
   Aligned(const hg_allocator &allocator, const T *values, size_t count, size_t width = 1)
       : memory_(allocator), copy_(memory_), values_(values) {
-    if (reinterpret_cast<std::uintptr_t>(values) % alignof(T) == 0) return;
+    if (reinterpret_cast<uintptr_t>(values) % alignof(T) == 0) return;
     copy_.require(array_bytes(count, width));
     std::memcpy(copy_.data(), static_cast<const void *>(values), count * width * sizeof(T));
     values_ = copy_.data();

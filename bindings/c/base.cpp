@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The functions of include/hgrid/base.h: texts, version, allocator.
-#include "guard.hpp"
+#include "bindings/c/guard.hpp"
 
 #include <hgrid/base.h>
 

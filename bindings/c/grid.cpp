@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The functions of include/hgrid/grid.h and types.h.
-#include "aligned.hpp"
-#include "guard.hpp"
+#include "bindings/c/aligned.hpp"
+#include "bindings/c/guard.hpp"
 
 #include <cstring>
 

@@ -3,8 +3,8 @@
 // The boundary between C callers and the C++ core: no exception leaves, every failure has a status and a text.
 #pragma once
 
-#include "error.hpp"
-#include "grid.hpp"
+#include "src/base/error.hpp"
+#include "src/grid.hpp"
 
 #include <hgrid/grid.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The functions of include/hgrid/history.h.
-#include "contact_history.hpp"
-#include "guard.hpp"
+#include "bindings/c/guard.hpp"
+#include "src/history/contact_history.hpp"
 
 #include <hgrid/history.h>
 

@@ -2,8 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* What the typemaps of python.i call: memory lent in both directions, exceptions, and the visitor. */
-#ifndef HGRID_PYTHON_GLUE_H
-#define HGRID_PYTHON_GLUE_H
+#pragma once
 
 #include <hgrid/hgrid.h>
 
@@ -92,5 +91,3 @@ static int32_t hgrid_visit(void *context, const hg_pair *pairs, size_t count) {
   PyGILState_Release(lock);
   return stop;
 }
-
-#endif

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kernel_sets.hpp"
-#include "lanes_avx2.hpp"
-#include "make_kernels.hpp"
+#include "src/kernels/kernel_sets.hpp"
+#include "src/kernels/lanes_avx2.hpp"
+#include "src/kernels/make_kernels.hpp"
 
 namespace hg {
 

@@ -4,7 +4,7 @@
 // in the order of the search, so both of their records are mostly in cache; each is one load of 16 bytes.
 #pragma once
 
-#include "kernel.hpp"
+#include "src/kernels/kernel.hpp"
 
 namespace hg {
 namespace {

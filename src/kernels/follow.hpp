@@ -4,7 +4,7 @@
 // sets. Plain loops over blocks of 16, as in keys.hpp.
 #pragma once
 
-#include "kernel.hpp"
+#include "src/kernels/kernel.hpp"
 
 #include <cmath>
 

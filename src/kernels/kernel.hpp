@@ -4,7 +4,7 @@
 // instruction set of its own without sharing inline functions with other files.
 #pragma once
 
-#include "step_kernels.hpp"
+#include "src/kernels/step_kernels.hpp"
 
 #include <hgrid/types.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kernel_sets.hpp"
+#include "src/kernels/kernel_sets.hpp"
 
-#include "../error.hpp"
+#include "src/base/error.hpp"
 
 #include <cstdlib>
 #include <cstring>

@@ -3,7 +3,7 @@
 // The kernels of each instruction set that this build holds, and the choice among them at run time.
 #pragma once
 
-#include "kernel.hpp"
+#include "src/kernels/kernel.hpp"
 
 namespace hg {
 

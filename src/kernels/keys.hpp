@@ -5,7 +5,7 @@
 // them between. Plain loops over blocks that the compiler turns into vector code of the file's instruction set.
 #pragma once
 
-#include "kernel.hpp"
+#include "src/kernels/kernel.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 // Eight lanes: AVX2 (x86-64-v3).
 #pragma once
 
-#include "kernel.hpp"
+#include "src/kernels/kernel.hpp"
 
 #include <immintrin.h>
 

@@ -3,7 +3,7 @@
 // Sixteen lanes: AVX-512 F, BW, DQ, VL.
 #pragma once
 
-#include "kernel.hpp"
+#include "src/kernels/kernel.hpp"
 
 #include <immintrin.h>
 

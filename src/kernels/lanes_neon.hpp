@@ -3,7 +3,7 @@
 // Four lanes: NEON, which every 64-bit ARM has.
 #pragma once
 
-#include "kernel.hpp"
+#include "src/kernels/kernel.hpp"
 
 #include <arm_neon.h>
 

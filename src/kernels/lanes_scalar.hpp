@@ -3,7 +3,7 @@
 // One lane, no vector instructions: what the other instruction sets are held against.
 #pragma once
 
-#include "kernel.hpp"
+#include "src/kernels/kernel.hpp"
 
 #include <cmath>
 

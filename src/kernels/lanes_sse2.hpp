@@ -3,7 +3,7 @@
 // Four lanes: SSE2, which every x86-64 has.
 #pragma once
 
-#include "kernel.hpp"
+#include "src/kernels/kernel.hpp"
 
 #include <emmintrin.h>
 

@@ -3,11 +3,11 @@
 // Puts the kernels of one instruction set together. Included once by the file of each instruction set.
 #pragma once
 
-#include "filter.hpp"
-#include "follow.hpp"
-#include "keys.hpp"
-#include "search.hpp"
-#include "survey.hpp"
+#include "src/kernels/filter.hpp"
+#include "src/kernels/follow.hpp"
+#include "src/kernels/keys.hpp"
+#include "src/kernels/search.hpp"
+#include "src/kernels/survey.hpp"
 
 namespace hg {
 namespace {

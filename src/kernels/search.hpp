@@ -7,7 +7,7 @@
 // Everything here is in an unnamed namespace: each instruction set compiles its own copy, none may leak into another.
 #pragma once
 
-#include "kernel.hpp"
+#include "src/kernels/kernel.hpp"
 
 #include <cfloat>
 

@@ -4,7 +4,7 @@
 // whether every number is finite, in one pass while the numbers are in cache. Plain loops, as in keys.hpp.
 #pragma once
 
-#include "kernel.hpp"
+#include "src/kernels/kernel.hpp"
 
 #include <cstring>
 

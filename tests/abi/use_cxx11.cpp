@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-
 // A user in C++11: the header needs no extern "C" of its own, and a lambda serves as visitor.
 #include <hgrid/hgrid.h>
 
@@ -14,11 +13,11 @@ int main() {
     std::cerr << hg_last_error() << '\n';
     return 1;
   }
-  std::size_t count = 0;
+  size_t count = 0;
   const hg_status status = hg_visit_pairs(
       grid,
-      [](void *context, const hg_pair *, std::size_t batch) -> std::int32_t {
-        *static_cast<std::size_t *>(context) += batch;
+      [](void *context, const hg_pair *, size_t batch) -> int32_t {
+        *static_cast<size_t *>(context) += batch;
         return 0;
       },
       &count);

@@ -53,7 +53,7 @@ printf 'knob,system,setting,number,error_of,error,ns,is_default,note\na,b,c,0,d,
 [[ $(cut -d, -f1 one.csv | sort -u | tr '\n' ' ') == "knob prefilter " ]]
 
 # The page and its picture hold what the recorded points say.
-"$hgrid" accuracy --from "$source/bench/results/amd-epyc/accuracy.csv" --markdown --svg page.svg >page.md
+"$hgrid" accuracy --from "$source/programs/bench/results/amd-epyc/accuracy.csv" --markdown --svg page.svg >page.md
 grep '^|' page.md | while read -r line; do
   grep -qxF -- "$line" "$source/docs/accuracy.md" || { echo "docs/accuracy.md lacks: $line"; exit 1; }
 done

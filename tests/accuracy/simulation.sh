@@ -28,7 +28,7 @@ status=0
 [[ $status == 2 ]] && grep -qF "'prefilter' is no knob" err.txt
 
 # The page and its picture hold what the recorded points say, and those hold what was derived.
-"$hgrid" accuracy --simulation --from "$source/bench/results/amd-epyc/accuracy-simulation.csv" --markdown \
+"$hgrid" accuracy --simulation --from "$source/programs/bench/results/amd-epyc/accuracy-simulation.csv" --markdown \
   --svg page.svg >page.md
 grep '^|' page.md | while read -r line; do
   grep -qxF -- "$line" "$source/docs/accuracy-simulation.md" || { echo "docs/accuracy-simulation.md lacks: $line"; exit 1; }

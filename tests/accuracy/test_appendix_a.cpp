@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-
 // Appendix A against values computed by an independent program for the paper's systems, against the continuum limit,
 // and against the library.
-#include "../app/cmocka_cpp.hpp"
-#include "accuracy/appendix_a.hpp"
-#include "grid_handle.hpp"
-#include "measure/search_timer.hpp"
 #include "packing/packing.hpp"
 #include "packing/size_law.hpp"
+#include "particles/grid_handle.hpp"
+#include "programs/accuracy/appendix_a.hpp"
+#include "programs/measure/search_timer.hpp"
+#include "tests/particles/cmocka_cpp.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -21,7 +20,7 @@ using packing::SizeLaw;
 constexpr double kDensity = 0.62;
 
 // The paper's 125001 particles, systematic sampling with u = 0.5.
-accuracy::Sizes sizes_of(const SizeLaw &law, std::size_t count = 125001) {
+accuracy::Sizes sizes_of(const SizeLaw &law, size_t count = 125001) {
   accuracy::Sizes sizes;
   sizes.radii = packing::sample_radii(law, count, 0.5);
   sizes.edge = packing::box_edge(sizes.radii, kDensity, 3);
@@ -36,7 +35,7 @@ bool near(double found, double expected, double relative) {
 
 bool least_m_is(const SizeLaw &law, const std::vector<double> &expected) {
   const accuracy::Sizes sizes = sizes_of(law);
-  for (std::size_t levels = 1; levels <= expected.size(); ++levels) {
+  for (size_t levels = 1; levels <= expected.size(); levels++) {
     if (!near(accuracy::least_m(sizes, levels), expected[levels - 1], 3e-6)) return false;
   }
   return true;
@@ -69,12 +68,12 @@ void the_cheapest_levels_are_the_references(void **) {
 bool assignment_is_known() {
   const accuracy::Sizes sizes = sizes_of({Law::kUniformVolume, 50, 3});
   const accuracy::LevelEnds ends = accuracy::levels_for(sizes, accuracy::least_m(sizes, 7), 7);
-  const std::vector<std::size_t> counts = {113043, 9676, 1623, 421, 146, 62, 30};
+  const std::vector<size_t> counts = {113043, 9676, 1623, 421, 146, 62, 30};
   const std::vector<double> cells = {6.4540, 14.6440, 26.5516, 41.6376, 59.2427, 78.8171, 99.5039};
   if (ends.size() != counts.size()) return false;
   const std::vector<double> edges = accuracy::edges_of(sizes, ends);
-  std::size_t begin = 0;
-  for (std::size_t level = 0; level < ends.size(); ++level) {
+  size_t begin = 0;
+  for (size_t level = 0; level < ends.size(); level++) {
     if (ends[level] - begin != counts[level] || !near(2 * edges[level], cells[level], 1e-5)) return false;
     begin = ends[level];
   }
@@ -87,13 +86,13 @@ void levels_are_those_of_the_reference(void **) {
 }
 
 // On the grid the least m is that of bisection rounded up, so the levels can be told in advance.
-bool grid_rounds_up(const SizeLaw &law, std::size_t levels_expected) {
+bool grid_rounds_up(const SizeLaw &law, size_t levels_expected) {
   const accuracy::Sizes sizes = sizes_of(law, 20000);
   for (const double step : {1e-3, 1e-2}) {
     const accuracy::Choice found = accuracy::cheapest_on_grid(sizes, 0.3, step);
     double least = HUGE_VAL;
-    std::size_t fewest = 0;
-    for (std::size_t levels = 1; levels <= 12; ++levels) {
+    size_t fewest = 0;
+    for (size_t levels = 1; levels <= 12; levels++) {
       const double m = std::ceil(accuracy::least_m(sizes, levels) / step) * step;
       const accuracy::LevelEnds ends = accuracy::levels_for(sizes, m, 64);
       const double cost = static_cast<double>(ends.size()) * (accuracy::occupancy_of(sizes, ends) + 0.3);
@@ -119,7 +118,7 @@ bool samples_count_for_more() {
   accuracy::Sizes half = sizes;
   half.weight = 2;
   half.radii.clear();
-  for (std::size_t i = 1; i < sizes.radii.size(); i += 2) half.radii.push_back(sizes.radii[i]);
+  for (size_t i = 1; i < sizes.radii.size(); i += 2) half.radii.push_back(sizes.radii[i]);
   const accuracy::Choice guess = accuracy::cheapest_by_bisection(half, 0.3);
   const double excess = accuracy::cost_of_edges(sizes, accuracy::edges_of(half, guess.ends), 0.3) / exact.cost - 1;
   std::printf("cost above the least: %g\n", excess);
@@ -137,15 +136,15 @@ bool library_agrees() {
   request.law = {Law::kUniformVolume, 20, 3};
   request.count = 5000;
   request.sweeps = 0;
-  const app::ParticleSet particles = packing::make_packing(request, nullptr).particles;
+  const particles::ParticleSet particles = packing::make_packing(request, nullptr).particles;
   hg_grid_def def = measure::def_of(particles);
   def.level_rule = HG_LEVELS_PAPER;
-  app::Grid grid(def);
+  particles::Grid grid(def);
   grid.insert(particles);
   const accuracy::Sizes sizes = sizes_of(request.law, request.count);
   for (const hg_level_cost &cost : grid.level_costs()) {
     if (cost.reachable == 0) continue;
-    const auto levels = static_cast<std::size_t>(cost.level_count);
+    const auto levels = static_cast<size_t>(cost.level_count);
     const accuracy::LevelEnds ends = accuracy::levels_for(sizes, accuracy::least_m(sizes, levels), levels);
     if (!near(accuracy::occupancy_of(sizes, ends), cost.occupancy, 1e-9)) return false;
   }

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-
 // Lists that are kept for a fixed number of steps, and boxes before spheres.
-#include "../app/cmocka_cpp.hpp"
-#include "accuracy/kept_list.hpp"
-#include "accuracy/prefilter_knob.hpp"
-#include "accuracy/skin_knob.hpp"
-#include "accuracy/systems.hpp"
+#include "programs/accuracy/kept_list.hpp"
+#include "programs/accuracy/prefilter_knob.hpp"
+#include "programs/accuracy/skin_knob.hpp"
+#include "programs/accuracy/systems.hpp"
+#include "tests/particles/cmocka_cpp.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -18,11 +17,11 @@ constexpr packing::SizeLaw kEqual{packing::Law::kMono, 1, 3};
 // The second sphere flies towards the first by 0.1 per step. Overlap begins in step 5, when a list with the margin 0.3
 // from the start knows nothing of it; the search of step 8 finds it.
 bool list_goes_blind() {
-  app::ParticleSet two;
+  particles::ParticleSet two;
   two.centers = {0, 0, 0, 2.45, 0, 0};
   two.radii = {1, 1};
   accuracy::KeptList list(two, 0.3, 8);
-  for (int step = 1; step <= 9; ++step) {
+  for (int step = 1; step <= 9; step++) {
     two.centers[3] -= 0.1;
     const bool searched = list.step(two);
     if (searched != (step == 8) || list.pairs().size() != (step >= 8 ? 1u : 0u)) return false;
@@ -37,7 +36,7 @@ void a_kept_list_goes_blind(void **) {
 
 // Two particles close in by at most 2 * 5 * 0.01 in five steps: within the margin nothing can be missed.
 bool safe_intervals_miss_nothing() {
-  const app::ParticleSet start = accuracy::relaxed(kEqual, 1000);
+  const particles::ParticleSet start = accuracy::relaxed(kEqual, 1000);
   const accuracy::Missed safe = accuracy::missed_contacts(start, 0.01, 0.1, 5, 30);
   const accuracy::Missed bold = accuracy::missed_contacts(start, 0.01, 0.1, 30, 30);
   std::printf("missed of %zu: %zu, then %zu, the deepest %g\n", bold.contacts, safe.missed, bold.missed, bold.deepest);
@@ -55,12 +54,12 @@ bool boxes_change_nothing() {
   const accuracy::Candidates candidates = accuracy::candidates_of(accuracy::relaxed(kEqual, 20000, 0));
   std::vector<hg_pair> plain, filtered;
   accuracy::overlapping(candidates.particles, candidates.pairs, plain);
-  const std::size_t tested = accuracy::overlapping_boxes_first(candidates.particles, candidates.pairs, filtered);
+  const size_t tested = accuracy::overlapping_boxes_first(candidates.particles, candidates.pairs, filtered);
   bool same = plain.size() == filtered.size();
-  for (std::size_t k = 0; same && k < plain.size(); ++k) {
+  for (size_t k = 0; same && k < plain.size(); k++) {
     same = plain[k].a == filtered[k].a && plain[k].b == filtered[k].b;
   }
-  app::Grid grid(measure::def_of(candidates.particles));
+  particles::Grid grid(measure::def_of(candidates.particles));
   grid.insert(candidates.particles);
   const double share = static_cast<double>(filtered.size()) / static_cast<double>(tested);
   std::printf("spheres in boxes: %.4f\n", share);

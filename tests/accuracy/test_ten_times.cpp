@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-
 // Fronts, their slopes, their picture and their file, on made-up points whose answer is known.
-#include "../app/cmocka_cpp.hpp"
-#include "accuracy/pareto_picture.hpp"
-#include "accuracy/points_file.hpp"
-#include "accuracy/ten_times.hpp"
+#include "programs/accuracy/pareto_picture.hpp"
+#include "programs/accuracy/points_file.hpp"
+#include "programs/accuracy/ten_times.hpp"
+#include "tests/particles/cmocka_cpp.hpp"
 
 #include <unistd.h>
 
@@ -88,9 +87,9 @@ void knobs_systems_and_errors_are_not_mixed(void **) {
   assert_true(ok);
 }
 
-std::size_t count_of(const std::string &text, const std::string &part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+size_t count_of(const std::string &text, const std::string &part) {
+  size_t count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) count++;
   return count;
 }
 

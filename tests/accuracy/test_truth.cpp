@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-
 // The judge of `hgrid accuracy`: its sweep against looking at every pair, what it says of an injected fault, and of the
 // library.
-#include "../app/cmocka_cpp.hpp"
-#include "accuracy/rule_knob.hpp"
-#include "accuracy/systems.hpp"
-#include "truth/particles.hpp"
+#include "oracle/particles.hpp"
+#include "programs/accuracy/rule_knob.hpp"
+#include "programs/accuracy/systems.hpp"
+#include "tests/particles/cmocka_cpp.hpp"
 
 #include <hgrid/hgrid.h>
 
@@ -14,18 +13,18 @@
 
 namespace {
 
-const std::vector<app::ParticleSet> &systems() {
-  static const std::vector<app::ParticleSet> all = {
+const std::vector<particles::ParticleSet> &systems() {
+  static const std::vector<particles::ParticleSet> all = {
       accuracy::relaxed({packing::Law::kUniformVolume, 20, 3}, 600),
       accuracy::moved(accuracy::relaxed({packing::Law::kMono, 1, 3}, 500), 1e9), accuracy::touching_chain(600, 1e6),
       accuracy::turned_lattice(500)};
   return all;
 }
 
-oracle::Pairs swept(const app::ParticleSet &particles) { return oracle::swept_pairs(oracle::set_of(particles)); }
+oracle::Pairs swept(const particles::ParticleSet &particles) { return oracle::swept_pairs(oracle::set_of(particles)); }
 
 bool sweep_is_complete() {
-  for (const app::ParticleSet &particles : systems()) {
+  for (const particles::ParticleSet &particles : systems()) {
     const oracle::Pairs all = overlapping_pairs(oracle::set_of(particles), oracle::Arithmetic::kWhole);
     if (all.empty() || swept(particles) != all) return false;
   }
@@ -55,13 +54,13 @@ void an_injected_fault_is_found(void **) {
 
 // HG_EXACT is never wrong, HG_FLOAT never misses; the lattice shows that the judge does see wrong pairs.
 bool rules_keep_their_promise() {
-  for (const app::ParticleSet &particles : systems()) {
+  for (const particles::ParticleSet &particles : systems()) {
     const oracle::Pairs truth = swept(particles);
     const oracle::Difference exact = oracle::difference(truth, accuracy::found_pairs(particles, HG_EXACT));
     const oracle::Difference with_float = oracle::difference(truth, accuracy::found_pairs(particles, HG_FLOAT));
     if (!exact.missing.empty() || !exact.extra.empty() || !with_float.missing.empty()) return false;
   }
-  const app::ParticleSet &lattice = systems().back();
+  const particles::ParticleSet &lattice = systems().back();
   const oracle::Difference wrong = oracle::difference(swept(lattice), accuracy::found_pairs(lattice, HG_DOUBLE));
   std::printf("HG_DOUBLE on the lattice: %zu missing, %zu extra\n", wrong.missing.size(), wrong.extra.size());
   return !wrong.missing.empty() && !wrong.extra.empty();

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_build: makes the grid ready, searches nothing, and repeats only after a change. */
-#include "failing_alloc.h"
-#include "fixture.h"
+#include "tests/support/failing_alloc.h"
+#include "tests/support/fixture.h"
 
 #include <pthread.h>
 

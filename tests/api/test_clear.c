@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_clear: an empty grid whose ids start anew. */
-#include "failing_alloc.h"
-#include "fixture.h"
+#include "tests/support/failing_alloc.h"
+#include "tests/support/fixture.h"
 
 static void fill_again(hg_grid *grid, int32_t first) {
   double centers[3 * CHAIN_COUNT] = {0}, radii[CHAIN_COUNT];

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_destroy: NULL, an empty grid, a grid with results, and a call from inside a visitor. */
-#include "failing_alloc.h"
-#include "fixture.h"
+#include "tests/support/failing_alloc.h"
+#include "tests/support/fixture.h"
 
 #include <string.h>
 

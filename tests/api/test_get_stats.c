@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_get_stats: the counters, and callers with shorter structs. */
-#include "fixture.h"
+#include "tests/support/fixture.h"
 
 #include <string.h>
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_grid_def_init and hg_default_grid_def: the defaults, and structs of other sizes. */
-#include "fixture.h"
+#include "tests/support/fixture.h"
 
 #include <string.h>
 

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_history_carry: items of any size go where their contacts went. */
-#include "history_fixture.h"
+#include "tests/support/history_fixture.h"
 
 #include <string.h>
 

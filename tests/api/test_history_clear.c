@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_history_clear: all pairs count as new afterwards. */
-#include "history_fixture.h"
+#include "tests/support/history_fixture.h"
 
 static void forgets(void **state) {
   const int64_t none[BEFORE_COUNT] = {-1, -1, -1, -1};

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_history_create: an empty list, and memory from the hooks. */
-#include "failing_alloc.h"
-#include "history_fixture.h"
+#include "tests/support/failing_alloc.h"
+#include "tests/support/history_fixture.h"
 
 static void starts_empty(void **state) {
   hg_history *history = make_empty_history();

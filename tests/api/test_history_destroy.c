@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_history_destroy: NULL, and every byte given back to the allocator that the history was created with. */
-#include "failing_alloc.h"
-#include "history_fixture.h"
+#include "tests/support/failing_alloc.h"
+#include "tests/support/history_fixture.h"
 
 static void null_is_fine(void **state) {
   (void)state;

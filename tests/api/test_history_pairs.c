@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_history_pairs: the list that is remembered. */
-#include "history_fixture.h"
+#include "tests/support/history_fixture.h"
 
 static void gives_the_last_list(void **state) {
   hg_history *history = make_empty_history();

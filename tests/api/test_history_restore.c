@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_history_restore: a run that goes on from a checkpoint matches as one that never stopped. */
-#include "failing_alloc.h"
-#include "history_fixture.h"
+#include "tests/support/failing_alloc.h"
+#include "tests/support/history_fixture.h"
 
 static void goes_on_from_a_checkpoint(void **state) {
   const int64_t places[AFTER_COUNT] = {2, -1, 0, -1, -1};

@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_history_update: places of pairs in the list before, through changed order, removal and failures. */
-#include "failing_alloc.h"
-#include "history_fixture.h"
+#include "tests/support/failing_alloc.h"
+#include "tests/support/history_fixture.h"
 
 #include <stdlib.h>
 

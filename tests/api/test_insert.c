@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_insert: ids, bad values by index, limits; all or nothing. */
-#include "failing_alloc.h"
-#include "fixture.h"
+#include "tests/support/failing_alloc.h"
+#include "tests/support/fixture.h"
 
 static void ids_go_on_counting(void **state) {
   const double near_ends[6] = {-1, 0, 0, CHAIN_COUNT, 0, 0};

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_last_error: the text of the last failure of the calling thread. */
-#include "fixture.h"
+#include "tests/support/fixture.h"
 
 #include <pthread.h>
 #include <string.h>

@@ -3,8 +3,8 @@
 
 /* hg_move: new centres and radii in id order; all or nothing; no memory needed; with a skin, stored candidates hold
  * while particles move little. */
-#include "failing_alloc.h"
-#include "fixture.h"
+#include "tests/support/failing_alloc.h"
+#include "tests/support/fixture.h"
 
 #include <stdlib.h>
 #include <string.h>

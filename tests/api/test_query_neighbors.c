@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_query_neighbors: half and full lists in compressed rows. */
-#include "failing_alloc.h"
-#include "fixture.h"
+#include "tests/support/failing_alloc.h"
+#include "tests/support/fixture.h"
 
 static void half_list_of_a_chain(void **state) {
   hg_grid *grid = make_chain(NULL);

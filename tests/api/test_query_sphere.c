@@ -3,8 +3,8 @@
 
 /* hg_query_sphere: the particles that a sphere meets, by the rule of the grid. */
 #define _DEFAULT_SOURCE /* setrlimit */
-#include "failing_alloc.h"
-#include "fixture.h"
+#include "tests/support/failing_alloc.h"
+#include "tests/support/fixture.h"
 
 #include <malloc.h>
 #include <stdlib.h>

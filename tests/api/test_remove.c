@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_remove: unknown, removed and repeated ids; ids are not given out again. */
-#include "failing_alloc.h"
-#include "fixture.h"
+#include "tests/support/failing_alloc.h"
+#include "tests/support/fixture.h"
 
 static void neighbours_of_the_gap_remain(void **state) {
   const int32_t gone[2] = {4, 0};

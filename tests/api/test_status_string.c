@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_status_string: the name of every status. */
-#include "fixture.h"
+#include "tests/support/fixture.h"
 
 static void every_status_has_its_name(void **state) {
   (void)state;

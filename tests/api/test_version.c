@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_version: the version of the loaded library. */
-#include "fixture.h"
+#include "tests/support/fixture.h"
 
 static void equals_that_of_the_header(void **state) {
   int major = -1, minor = -1, patch = -1;

@@ -4,10 +4,10 @@
 //
 // The occupancies m(L) below were computed by an independent program: N = 125001, systematic sampling, volume
 // fraction 0.62, smallest m of any assignment with at most L levels.
-#include "compare.hpp"
-#include "frame.h"
-#include "rng.hpp"
-#include "size_laws.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/rng.hpp"
+#include "tests/support/size_laws.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace hgtest;
 
-constexpr std::size_t kCount = 125001;
+constexpr size_t kCount = 125001;
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kOverhead = 0.3;  // K of Eq. 7
 
@@ -28,7 +28,7 @@ double box_edge(const std::vector<double> &radii) {
   return std::cbrt(4 * kPi / 3 * cubes / 0.62);
 }
 
-Grid filled_box(const std::vector<double> &radii, double edge, std::int32_t level_count) {
+Grid filled_box(const std::vector<double> &radii, double edge, int32_t level_count) {
   Rng rng(1);
   hg_grid_def def = hg_default_grid_def();
   def.level_rule = HG_LEVELS_PAPER;
@@ -44,14 +44,14 @@ Grid filled_box(const std::vector<double> &radii, double edge, std::int32_t leve
 
 std::vector<hg_level_cost> costs_of(const Grid &grid) {
   const hg_level_cost *costs = nullptr;
-  std::size_t count = 0;
+  size_t count = 0;
   require_ok(hg_query_level_costs(grid.get(), &costs, &count), "hg_query_level_costs");
   return std::vector<hg_level_cost>(costs, costs + count);
 }
 
 std::vector<hg_level> levels_of(const Grid &grid) {
   const hg_level *levels = nullptr;
-  std::size_t count = 0;
+  size_t count = 0;
   require_ok(hg_query_levels(grid.get(), &levels, &count), "hg_query_levels");
   return std::vector<hg_level>(levels, levels + count);
 }
@@ -100,16 +100,16 @@ void check_reference(const Reference &reference) {
   const std::vector<hg_level_cost> costs = costs_of(grid);
   require(costs.size() >= 10, std::string(reference.name) + ": fewer than 10 numbers of levels were looked at");
   double best = HUGE_VAL;
-  for (int L = 1; L <= 10; ++L) {
+  for (int L = 1; L <= 10; L++) {
     const std::string what = std::string(reference.name) + " L = " + std::to_string(L);
     const double m = reference.occupancy[L - 1];
-    const hg_level_cost &cost = costs[static_cast<std::size_t>(L - 1)];
+    const hg_level_cost &cost = costs[static_cast<size_t>(L - 1)];
     require(cost.level_count == L && cost.reachable == 1, what + " is not reachable");
     require_near(what + " m", cost.occupancy, m, 1e-6 * m + 5e-7);
     require_near(what + " cost", cost.cost, L * (m + kOverhead), 1e-6 * m * L + 5e-7 * L);
     best = std::min(best, L * (m + kOverhead));
   }
-  const std::size_t chosen = levels_of(grid).size();
+  const size_t chosen = levels_of(grid).size();
   require(chosen >= 1 && chosen <= costs.size(), "the chosen number of levels was not looked at");
   require(costs[chosen - 1].cost <= 1.02 * best, std::string(reference.name) + ": chose " + std::to_string(chosen));
 }
@@ -117,19 +117,19 @@ void check_reference(const Reference &reference) {
 void occupancies_and_costs(void **) {
   bool all = true;
   for (const Reference &reference : kReferences) {
-    all &= holds(0, [&](std::uint64_t) { check_reference(reference); });
+    all &= holds(0, [&](uint64_t) { check_reference(reference); });
   }
   assert_true(all);
 }
 
 struct LevelReference {
-  std::int64_t particle_count;
+  int64_t particle_count;
   double cell_size;
 };
 
 void require_levels(const std::vector<hg_level> &levels, const std::vector<LevelReference> &expected) {
   require(levels.size() == expected.size(), "wrong number of levels: " + std::to_string(levels.size()));
-  for (std::size_t h = 0; h < levels.size(); ++h) {
+  for (size_t h = 0; h < levels.size(); h++) {
     const std::string what = "level " + std::to_string(h);
     require_near(what + " cell size", levels[h].cell_size, expected[h].cell_size, 6e-5);
     require(levels[h].particle_count == expected[h].particle_count,
@@ -138,7 +138,7 @@ void require_levels(const std::vector<hg_level> &levels, const std::vector<Level
 }
 
 void levels_of_uniform_volume(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     const std::vector<double> radii = sample(uniform_volume, 50, kCount);
     require_levels(levels_of(filled_box(radii, box_edge(radii), 7)), {{113043, 6.4540},
                                                                       {9676, 14.6440},
@@ -151,7 +151,7 @@ void levels_of_uniform_volume(void **) {
 }
 
 void levels_of_uniform_size(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     const std::vector<double> radii = sample(uniform_size, 50, kCount);
     require_levels(levels_of(filled_box(radii, box_edge(radii), 2)), {{90248, 72.7535}, {34753, 99.9996}});
   }));
@@ -159,20 +159,20 @@ void levels_of_uniform_size(void **) {
 
 // Equal spheres: one level, m = 6 nu / pi.
 void equal_sizes_have_one_level(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     const std::vector<double> radii(kCount, 1.0);
     const Grid grid = filled_box(radii, box_edge(radii), 0);
     const std::vector<hg_level_cost> costs = costs_of(grid);
     require(!costs.empty() && costs[0].reachable == 1, "one level is not reachable");
     require_near("m", costs[0].occupancy, 6 * 0.62 / kPi, 1e-9);
-    for (std::size_t k = 1; k < costs.size(); ++k) require(costs[k].reachable == 0, "more than one level is reachable");
+    for (size_t k = 1; k < costs.size(); k++) require(costs[k].reachable == 0, "more than one level is reachable");
     require(levels_of(grid).size() == 1, "more than one level");
   }));
 }
 
 // Two sizes: at most two levels; N_h s_h^3 / V by hand.
 void two_sizes_have_two_levels(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     const std::vector<double> radii = two_sizes(10, kCount);
     require(std::count(radii.begin(), radii.end(), 10.0) == 125, "wrong number of large spheres");
     const double edge = box_edge(radii);
@@ -184,7 +184,7 @@ void two_sizes_have_two_levels(void **) {
     require_near("m(1)", costs[0].occupancy, kCount * 8000 / volume, 1e-6 * 592);
     require_near("m(2)", costs[1].occupancy, 125 * 8000 / volume, 1e-6);
     require_near("cost of 2", costs[1].cost, 1.785, 5e-4);
-    for (std::size_t k = 2; k < costs.size(); ++k) require(costs[k].reachable == 0, "more than two levels");
+    for (size_t k = 2; k < costs.size(); k++) require(costs[k].reachable == 0, "more than two levels");
     require_levels(levels_of(grid), {{124876, 2}, {125, 20}});
   }));
 }

@@ -5,10 +5,10 @@
 // With v_ij the volume of the ball of radius r_i + r_j, a pair overlaps with probability v_ij / V. On a torus these
 // events are pairwise independent (the third particle sees uniform positions whatever the other two do), so the
 // variance of the count is below its mean.
-#include "compare.hpp"
-#include "frame.h"
-#include "rng.hpp"
-#include "size_laws.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/rng.hpp"
+#include "tests/support/size_laws.hpp"
 
 #include <cmath>
 
@@ -33,20 +33,19 @@ double sum_of_powers(const std::vector<double> &radii, int dimension) {
   return 0.5 * (2 * n * s3 + 6 * s1 * s2 - 8 * s3);
 }
 
-void require_poisson(const char *what, std::uint64_t seed, int dimension, const std::vector<double> &radii,
-                     double edge) {
+void require_poisson(const char *what, uint64_t seed, int dimension, const std::vector<double> &radii, double edge) {
   Rng rng(seed);
   hg_grid_def def = hg_default_grid_def();
   def.dimension = dimension;
   Particles particles;
   particles.dimension = dimension;
-  for (int k = 0; k < dimension; ++k) {
+  for (int k = 0; k < dimension; k++) {
     def.periodic[k] = 1;
     def.box_max[k] = edge;
   }
   for (double r : radii) {
     double x[3];
-    for (int k = 0; k < dimension; ++k) x[k] = rng.uniform(0, edge);
+    for (int k = 0; k < dimension; k++) x[k] = rng.uniform(0, edge);
     particles.add(x, r);
   }
   const double ball = dimension == 2 ? kPi : 4 * kPi / 3;
@@ -60,8 +59,8 @@ void require_poisson(const char *what, std::uint64_t seed, int dimension, const 
 
 void pairs_of_random_points(void **) {
   bool all = true;
-  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-    all &= holds(seed, [](std::uint64_t s) {
+  for (uint64_t seed = 1; seed <= 3; seed++) {
+    all &= holds(seed, [](uint64_t s) {
       require_poisson("equal sizes, 2D", s, 2, std::vector<double>(20000, 1), 250);
       require_poisson("equal sizes", s, 3, std::vector<double>(20000, 1), 60);
       require_poisson("two sizes", s, 3, two_sizes(10, 40000), 80);

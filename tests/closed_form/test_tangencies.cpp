@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Packings of tangent spheres of all sizes whose contacts are known from how they are made.
-#include "compare.hpp"
-#include "frame.h"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
 
 namespace {
 
 using namespace hgtest;
 
-std::size_t contacts(const hg_grid_def &def, Particles particles, double factor) {
+size_t contacts(const hg_grid_def &def, Particles particles, double factor) {
   for (double &r : particles.radii) r *= factor;
   return pairs_of(make_grid(def, particles)).size();
 }
 
-void require_count(const char *what, std::size_t count, std::size_t expected) {
+void require_count(const char *what, size_t count, size_t expected) {
   require(count == expected,
           std::string(what) + ": " + std::to_string(count) + " contacts, expected " + std::to_string(expected));
 }
@@ -25,10 +25,10 @@ struct Circle {
 
 struct Gasket {
   Particles circles;
-  std::size_t tangencies = 0;  // the enclosing circle does not count
+  size_t tangencies = 0;  // the enclosing circle does not count
 };
 
-void keep(Gasket &gasket, const Circle &c, std::size_t tangencies) {
+void keep(Gasket &gasket, const Circle &c, size_t tangencies) {
   const double k = static_cast<double>(c.k);
   const double center[2] = {static_cast<double>(c.kx) / k, static_cast<double>(c.ky) / k};
   gasket.circles.add(center, 1 / k);
@@ -41,7 +41,7 @@ void fill(Gasket &gasket, const Circle &a, const Circle &b, const Circle &c, con
   const Circle next = {2 * (a.k + b.k + c.k) - old.k, 2 * (a.kx + b.kx + c.kx) - old.kx,
                        2 * (a.ky + b.ky + c.ky) - old.ky};
   if (next.k > largest) return;
-  const std::size_t enclosing = (a.k < 0 ? 1 : 0) + (b.k < 0 ? 1 : 0) + (c.k < 0 ? 1 : 0);
+  const size_t enclosing = (a.k < 0 ? 1 : 0) + (b.k < 0 ? 1 : 0) + (c.k < 0 ? 1 : 0);
   keep(gasket, next, 3 - enclosing);
   fill(gasket, a, b, next, c, largest);
   fill(gasket, a, c, next, b, largest);
@@ -69,12 +69,12 @@ Gasket make_gasket(long largest) {
 // integers: 1.2e-8 for curvatures up to 3200. So a factor 1 + 1e-9 makes contacts of the tangencies and of nothing
 // else, and 1 - 1e-9 leaves none.
 void apollonian_gasket(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     hg_grid_def def = hg_default_grid_def();
     def.dimension = 2;
     for (const long largest : {3L, 30L, 3200L}) {
       const Gasket gasket = make_gasket(largest);
-      for (std::int32_t rule = HG_LEVELS_AUTO; rule <= HG_LEVELS_PAPER; ++rule) {
+      for (int32_t rule = HG_LEVELS_AUTO; rule <= HG_LEVELS_PAPER; rule++) {
         def.level_rule = rule;
         require_count("gasket", contacts(def, gasket.circles, 1 + 1e-9), gasket.tangencies);
         require_count("gasket, shrunk", contacts(def, gasket.circles, 1 - 1e-9), 0);
@@ -87,12 +87,12 @@ void apollonian_gasket(void **) {
 
 // Spheres of radius 2^-k on a line, each touching the next: all dyadic, no contact until they grow.
 void dyadic_row(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     constexpr int kCount = 45;
     Particles row;
     double x[3] = {0, 0, 0};
     double radius = 1;
-    for (int k = 0; k < kCount; ++k) {
+    for (int k = 0; k < kCount; k++) {
       row.add(x, radius);
       x[0] += 1.5 * radius;
       radius *= 0.5;
@@ -107,13 +107,13 @@ void dyadic_row(void **) {
 // holds its inscribed sphere. Spheres touch over the faces between octants of one size: 9 where one octant of the
 // eight is cut, 12 at the last step. Spheres of different steps stay apart.
 void dyadic_octants(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     constexpr int kSteps = 30;
     Particles octants;
     double edge = 1;
-    for (int step = 0; step < kSteps; ++step) {
+    for (int step = 0; step < kSteps; step++) {
       edge *= 0.5;
-      for (int corner = step + 1 < kSteps ? 1 : 0; corner < 8; ++corner) {
+      for (int corner = step + 1 < kSteps ? 1 : 0; corner < 8; corner++) {
         const double center[3] = {edge * ((corner & 1) + 0.5), edge * ((corner >> 1 & 1) + 0.5),
                                   edge * ((corner >> 2) + 0.5)};
         octants.add(center, 0.5 * edge);

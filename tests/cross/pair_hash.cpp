@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints a hash of the pairs of some seeded scenes, in the order and the bytes in which the library gives them. Two
 // machines, instruction sets or builds must print the same.
-#include "compare.hpp"
-#include "rng.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/rng.hpp"
 
 #include <cinttypes>
 #include <cstdio>
@@ -13,12 +13,12 @@ namespace {
 using namespace hgtest;
 
 // FNV-1a (Fowler, Noll, Vo) over the ids, lowest byte first on any machine.
-std::uint64_t hash_of(const hg_pair *pairs, std::size_t count) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (std::size_t k = 0; k < count; ++k) {
-    for (const std::int32_t id : {pairs[k].a, pairs[k].b}) {
-      for (int byte = 0; byte < 4; ++byte) {
-        hash = (hash ^ (static_cast<std::uint32_t>(id) >> (8 * byte) & 0xffU)) * 0x100000001b3U;
+uint64_t hash_of(const hg_pair *pairs, size_t count) {
+  uint64_t hash = 0xcbf29ce484222325U;
+  for (size_t k = 0; k < count; k++) {
+    for (const int32_t id : {pairs[k].a, pairs[k].b}) {
+      for (int byte = 0; byte < 4; byte++) {
+        hash = (hash ^ (static_cast<uint32_t>(id) >> (8 * byte) & 0xffU)) * 0x100000001b3U;
       }
     }
   }
@@ -31,7 +31,7 @@ Particles fill(Rng &rng, int dimension, double size_ratio) {
   particles.dimension = dimension;
   const int count = rng.integer(500, 4000);
   const double spacing = dimension == 3 ? 0.08 : 0.02;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count; i++) {
     double center[3];
     for (double &x : center) x = rng.chance(0.1) ? rng.integer(0, 8) * 0.125 : rng.uniform();
     const double largest = spacing * (rng.chance(0.9) ? 1 : 3);
@@ -47,21 +47,21 @@ hg_grid_def definition(Rng &rng, int dimension) {
   def.interaction = rng.chance(0.3) ? HG_MAX_RANGE : HG_CONTACT;
   def.accuracy = rng.integer(HG_EXACT, HG_FLOAT);
   def.margin = rng.chance(0.3) ? 0.001 : 0;
-  for (int k = 0; k < dimension; ++k) {
+  for (int k = 0; k < dimension; k++) {
     def.periodic[k] = rng.chance(0.4) ? 1 : 0;
     def.box_max[k] = 1;
   }
   return def;
 }
 
-std::uint64_t query(const Grid &grid, std::size_t &count) {
+uint64_t query(const Grid &grid, size_t &count) {
   const hg_pair *pairs = nullptr;
   require_ok(hg_query_pairs(grid.get(), &pairs, &count), "hg_query_pairs");
   return hash_of(pairs, count);
 }
 
 // A search, and one step of small moves, which stored candidates answer where there is a skin.
-void print_scene(std::uint64_t seed) {
+void print_scene(uint64_t seed) {
   Rng rng(seed);
   const int dimension = rng.integer(2, 3);
   const double size_ratio = rng.chance(0.3) ? 1 : rng.uniform(2, 100);
@@ -69,11 +69,11 @@ void print_scene(std::uint64_t seed) {
   def.skin = rng.chance(0.7) ? 0.002 : 0;
   Particles particles = fill(rng, dimension, size_ratio);
   const Grid grid = make_grid(def, particles);
-  std::size_t count = 0, moved_count = 0;
-  const std::uint64_t hash = query(grid, count);
+  size_t count = 0, moved_count = 0;
+  const uint64_t hash = query(grid, count);
   for (double &x : particles.centers) x += rng.uniform(-0.0003, 0.0003);
   require_ok(hg_move(grid.get(), particles.size(), particles.centers.data(), nullptr), "hg_move");
-  const std::uint64_t moved_hash = query(grid, moved_count);
+  const uint64_t moved_hash = query(grid, moved_count);
   std::printf("seed %2" PRIu64 ": %dD, %5zu particles, %6zu pairs, hash %016" PRIx64 "; moved: %6zu, %016" PRIx64 "\n",
               seed, dimension, particles.size(), count, hash, moved_count, moved_hash);
 }
@@ -82,6 +82,6 @@ void print_scene(std::uint64_t seed) {
 
 int main() {
   bool all = true;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) all &= holds(seed, print_scene);
+  for (uint64_t seed = 0; seed < 40; seed++) all &= holds(seed, print_scene);
   return all ? 0 : 1;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "golden_scenes.hpp"
+#include "tests/golden/golden_scenes.hpp"
 
-#include "rng.hpp"
+#include "tests/support/rng.hpp"
 
 #include <cmath>
 
@@ -30,7 +30,7 @@ double draw_radius(Rng &rng, Law law, double ratio) {
 Particles thrown(Rng &rng, int dimension, int count, Law law, double ratio, double low, double edge) {
   Particles particles;
   particles.dimension = dimension;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count; i++) {
     double center[3];
     for (double &x : center) x = low + rng.uniform() * edge;
     particles.add(center, draw_radius(rng, law, ratio));
@@ -40,7 +40,7 @@ Particles thrown(Rng &rng, int dimension, int count, Law law, double ratio, doub
 
 Particles lattice(int side) {
   Particles particles;
-  for (int at = 0; at < side * side * side; ++at) {
+  for (int at = 0; at < side * side * side; at++) {
     const double center[3] = {0.1 * (at % side), 0.1 * (at / side % side), 0.1 * (at / side / side)};
     particles.add(center, 0.05);
   }
@@ -50,7 +50,7 @@ Particles lattice(int side) {
 Particles clusters(Rng &rng, int count) {
   Particles particles;
   const double places[4] = {-1e12, 0, 3e11, 1e12};
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count; i++) {
     const double place = places[rng.below(4)];
     const double center[3] = {place + 8 * rng.uniform(), -place + 8 * rng.uniform(), place + 8 * rng.uniform()};
     particles.add(center, 0.25 + 0.5 * rng.uniform());
@@ -61,7 +61,7 @@ Particles clusters(Rng &rng, int count) {
 Particles giants_over_dust(Rng &rng, int count) {
   Particles particles = thrown(rng, 3, count, Law::kMono, 1, -2, 4);
   for (double &r : particles.radii) r = 1e-4;
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; i++) {
     const double center[3] = {rng.uniform(), rng.uniform(), rng.uniform()};
     particles.add(center, 1);
   }
@@ -76,7 +76,7 @@ GoldenScene scene(const char *name, Particles particles) {
 
 GoldenScene periodic(const char *name, Particles particles, int axes, double low, double edge) {
   GoldenScene result = scene(name, std::move(particles));
-  for (int k = 0; k < result.def.dimension; ++k) {
+  for (int k = 0; k < result.def.dimension; k++) {
     result.def.periodic[k] = axes >> k & 1;
     result.def.box_min[k] = low;
     result.def.box_max[k] = low + edge;

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Seeded scenes whose every bit is the same with any compiler: made with + - * / and square roots alone, which IEEE 754
 // rounds in one way, and without functions of libm, which are not bound to.
-#ifndef GOLDEN_SCENES_HPP
-#define GOLDEN_SCENES_HPP
+#pragma once
 
-#include "oracle.hpp"
+#include "tests/support/oracle.hpp"
 
 #include <string>
 #include <vector>
@@ -21,5 +20,3 @@ struct GoldenScene {
 std::vector<GoldenScene> all_scenes();
 
 }  // namespace golden
-
-#endif

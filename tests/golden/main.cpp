@@ -3,9 +3,9 @@
 // golden FILE: the hashes of all scenes, for 1 to 8 threads, must be those of the file.
 // golden --record: prints such a file. Each set is first decided pair by pair by the oracle of the tests; only then is
 // its hash, and that of its order, worth keeping.
-#include "compare.hpp"
-#include "golden_scenes.hpp"
-#include "sweep.hpp"
+#include "tests/golden/golden_scenes.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/sweep.hpp"
 
 #include <algorithm>
 #include <cinttypes>
@@ -23,37 +23,37 @@ using hgtest::Pairs;
 // FNV-1a of the bytes, least significant first whatever the machine.
 class Hash {
  public:
-  void add(std::uint64_t value, int bytes) {
-    for (int k = 0; k < bytes; ++k) state_ = (state_ ^ (value >> 8 * k & 0xff)) * 0x100000001b3u;
+  void add(uint64_t value, int bytes) {
+    for (int k = 0; k < bytes; k++) state_ = (state_ ^ (value >> 8 * k & 0xff)) * 0x100000001b3u;
   }
   void add(double value) {
-    std::uint64_t bits = 0;
+    uint64_t bits = 0;
     std::memcpy(&bits, &value, sizeof value);
     add(bits, 8);
   }
-  std::uint64_t value() const { return state_; }
+  uint64_t value() const { return state_; }
 
  private:
-  std::uint64_t state_ = 0xcbf29ce484222325u;
+  uint64_t state_ = 0xcbf29ce484222325u;
 };
 
-std::uint64_t hash_of(const Pairs &pairs) {
+uint64_t hash_of(const Pairs &pairs) {
   Hash hash;
   for (const hg_pair &pair : pairs) {
-    hash.add(static_cast<std::uint32_t>(pair.a), 4);
-    hash.add(static_cast<std::uint32_t>(pair.b), 4);
+    hash.add(static_cast<uint32_t>(pair.a), 4);
+    hash.add(static_cast<uint32_t>(pair.b), 4);
   }
   return hash.value();
 }
 
-std::uint64_t hash_of(const hgtest::Particles &particles) {
+uint64_t hash_of(const hgtest::Particles &particles) {
   Hash hash;
   for (const double x : particles.centers) hash.add(x);
   for (const double r : particles.radii) hash.add(r);
   return hash.value();
 }
 
-Pairs search(GoldenScene &scene, std::int32_t order, int threads) {
+Pairs search(GoldenScene &scene, int32_t order, int threads) {
   scene.def.pair_order = order;
   scene.def.thread_count = threads;
   return pairs_of(hgtest::make_grid(scene.def, scene.particles));
@@ -102,12 +102,12 @@ int compare(const char *path) {
   int differ = file ? 0 : 1;
   for (GoldenScene &scene : golden::all_scenes()) {
     std::getline(file, expected);
-    for (int threads = 1; threads <= 8; ++threads) {
+    for (int threads = 1; threads <= 8; threads++) {
       const std::string found =
           line_of(scene, search(scene, HG_ORDER_ID, threads), search(scene, HG_ORDER_GRID, threads));
       if (file && found == expected) continue;
       std::fprintf(stderr, "%d threads\n  found    %s\n  expected %s\n", threads, found.c_str(), expected.c_str());
-      ++differ;
+      differ++;
     }
   }
   std::printf("%d results differ from %s\n", differ, path);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Arrays as hosts have them: packed at odd addresses, floats.
-#include "compare.hpp"
-#include "frame.h"
-#include "rng.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/rng.hpp"
 
 #include <cstring>
 #include <vector>
@@ -17,7 +17,7 @@ template <class T>
 class Misaligned {
  public:
   explicit Misaligned(const std::vector<T> &values) : bytes_(values.size() * sizeof(T) + 1 + alignof(T)) {
-    const std::uintptr_t start = reinterpret_cast<std::uintptr_t>(bytes_.data());
+    const uintptr_t start = reinterpret_cast<uintptr_t>(bytes_.data());
     address_ = start / alignof(T) * alignof(T) + alignof(T) + 1;
     std::memcpy(bytes_.data() + (address_ - start), values.data(), values.size() * sizeof(T));
   }
@@ -25,13 +25,13 @@ class Misaligned {
 
  private:
   std::vector<unsigned char> bytes_;
-  std::uintptr_t address_;
+  uintptr_t address_;
 };
 
-Particles draw(std::uint64_t seed) {
+Particles draw(uint64_t seed) {
   Rng rng(seed);
   Particles particles;
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < 500; i++) {
     const double center[3] = {rng.uniform(0, 10), rng.uniform(0, 10), rng.uniform(0, 10)};
     particles.add(center, rng.uniform(0.1, 1));
   }
@@ -39,7 +39,7 @@ Particles draw(std::uint64_t seed) {
 }
 
 void odd_addresses(void **) {
-  assert_true(holds(1, [](std::uint64_t seed) {
+  assert_true(holds(1, [](uint64_t seed) {
     const Particles particles = draw(seed);
     const hg_grid_def def = hg_default_grid_def();
     const Pairs expected = all_pairs(def, particles, exact_interact);
@@ -50,13 +50,13 @@ void odd_addresses(void **) {
     require_ok(hg_move(grid.get(), particles.size(), centers.get(), radii.get()), "hg_move");
     require_same("moved", sorted_pairs_of(grid), expected);
     const Misaligned<double> center({5, 5, 5});
-    const std::int32_t *found = nullptr;
-    std::size_t count = 0;
+    const int32_t *found = nullptr;
+    size_t count = 0;
     require_ok(hg_query_sphere(grid.get(), center.get(), 1, &found, &count), "hg_query_sphere");
     const double same[3] = {5, 5, 5};
-    require_same("sphere", std::vector<std::int32_t>(found, found + count),
+    require_same("sphere", std::vector<int32_t>(found, found + count),
                  all_in_sphere(def, particles, {same, 1}, exact_interact));
-    const Misaligned<std::int32_t> ids(std::vector<std::int32_t>{3, 77});
+    const Misaligned<int32_t> ids(std::vector<int32_t>{3, 77});
     require_ok(hg_remove(grid.get(), 2, ids.get()), "hg_remove");
     for (const hg_pair &pair : pairs_of(grid)) {
       require(pair.a != 3 && pair.b != 3 && pair.a != 77 && pair.b != 77, "a removed particle has a pair");
@@ -65,7 +65,7 @@ void odd_addresses(void **) {
 }
 
 void bad_values_at_odd_addresses_are_named(void **) {
-  assert_true(holds(2, [](std::uint64_t) {
+  assert_true(holds(2, [](uint64_t) {
     const Misaligned<double> centers({0, 0, 0, 1, 1, 1}), radii({1, -1});
     const Grid grid = make_grid(hg_default_grid_def());
     require(hg_insert(grid.get(), 2, centers.get(), radii.get()) == HG_ERR_ARGUMENT, "a negative radius is taken");
@@ -75,10 +75,10 @@ void bad_values_at_odd_addresses_are_named(void **) {
 
 // Floats become doubles without rounding; the verdict is that on their values.
 void floats_widened_to_doubles(void **) {
-  assert_true(holds(4, [](std::uint64_t seed) {
+  assert_true(holds(4, [](uint64_t seed) {
     Rng rng(seed);
     Particles particles;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 300; i++) {
       const float radius = 0.25f;
       const double center[3] = {static_cast<double>(0.1f * static_cast<float>(i % 10)),
                                 static_cast<double>(0.1f * static_cast<float>(i / 10 % 10)),

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Inputs made to cost a grid time or memory. No clock: the work is counted, by hg_get_stats, against the particles and
 // the pairs that there are.
-#include "compare.hpp"
-#include "frame.h"
-#include "rng.hpp"
-#include "sweep.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/rng.hpp"
+#include "tests/support/sweep.hpp"
 
 #include <cmath>
 #include <initializer_list>
@@ -42,7 +42,7 @@ void require_bounded(const std::string &what, const Counted &counted, double tes
 }
 
 void require_exact_and_bounded(const std::string &what, const Particles &particles, double tests_per_particle) {
-  for (const std::int32_t rule : {HG_LEVELS_AUTO, HG_LEVELS_PAPER}) {
+  for (const int32_t rule : {HG_LEVELS_AUTO, HG_LEVELS_PAPER}) {
     hg_grid_def def = hg_default_grid_def();
     def.thread_count = 1;
     def.level_rule = rule;
@@ -54,7 +54,7 @@ void require_exact_and_bounded(const std::string &what, const Particles &particl
 
 Particles cloud(Rng &rng, int count, double half_width, double radius) {
   Particles particles;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count; i++) {
     double center[3];
     for (double &x : center) x = rng.uniform(-half_width, half_width);
     particles.add(center, radius);
@@ -65,7 +65,7 @@ Particles cloud(Rng &rng, int count, double half_width, double radius) {
 // One giant over a hundred thousand particles a million times smaller, most of them inside it: it must meet particles,
 // not the 10^18 cells of their size that it covers.
 void giant_over_dust(void **) {
-  assert_true(holds(1, [](std::uint64_t seed) {
+  assert_true(holds(1, [](uint64_t seed) {
     Rng rng(seed);
     Particles particles = cloud(rng, 100000, 1.1, 1e-6);
     const double origin[3] = {0, 0, 0};
@@ -76,7 +76,7 @@ void giant_over_dust(void **) {
 
 // The dust lies close together, so that its cells are as fine as the coordinates of the search allow.
 void giant_over_crowded_dust(void **) {
-  assert_true(holds(2, [](std::uint64_t seed) {
+  assert_true(holds(2, [](uint64_t seed) {
     Rng rng(seed);
     for (const double ratio : {1e6, 1e9, 1e12}) {
       const double radius = 1 / ratio;
@@ -90,7 +90,7 @@ void giant_over_crowded_dust(void **) {
 
 // One giant far from equal spheres: the space that is filled is a tiny part of the bounding box.
 void giant_far_away(void **) {
-  assert_true(holds(4, [](std::uint64_t seed) {
+  assert_true(holds(4, [](uint64_t seed) {
     Rng rng(seed);
     Particles particles = cloud(rng, 20000, 65, 1);
     const double origin[3] = {1e6, 0, 0};
@@ -101,12 +101,12 @@ void giant_far_away(void **) {
 
 // As many particles in each decade of sizes, over six decades, at the density of a loose packing.
 void power_law_at_ratio_1e6(void **) {
-  assert_true(holds(3, [](std::uint64_t seed) {
+  assert_true(holds(3, [](uint64_t seed) {
     Rng rng(seed);
     constexpr int kCount = 50000;
     std::vector<double> radii;
     double volume = 0;
-    for (int i = 0; i < kCount; ++i) {
+    for (int i = 0; i < kCount; i++) {
       radii.push_back(std::pow(10, -6.0 * i / (kCount - 1)));
       volume += 4.0 / 3 * 3.14159265358979 * radii.back() * radii.back() * radii.back();
     }
@@ -122,24 +122,24 @@ void power_law_at_ratio_1e6(void **) {
 }
 
 struct Tally {
-  std::size_t pairs = 0, batches = 0;
-  std::int64_t sum = 0;
+  size_t pairs = 0, batches = 0;
+  int64_t sum = 0;
 };
-std::int32_t tally(void *context, const hg_pair *pairs, std::size_t count) {
+int32_t tally(void *context, const hg_pair *pairs, size_t count) {
   Tally *t = static_cast<Tally *>(context);
   t->pairs += count;
-  ++t->batches;
-  for (std::size_t p = 0; p < count; ++p) t->sum += pairs[p].a + pairs[p].b;
+  t->batches++;
+  for (size_t p = 0; p < count; p++) t->sum += pairs[p].a + pairs[p].b;
   return 0;
 }
 
 // N (N - 1) / 2 pairs, in which each id comes N - 1 times; visited, they are never in memory together.
 void ten_thousand_at_one_point(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
-    constexpr std::int64_t kCount = 10000;
+  assert_true(holds(0, [](uint64_t) {
+    constexpr int64_t kCount = 10000;
     Particles particles;
     const double center[3] = {1, 2, 3};
-    for (int i = 0; i < kCount; ++i) particles.add(center, 0.1);
+    for (int i = 0; i < kCount; i++) particles.add(center, 0.1);
     const Grid grid = make_grid(hg_default_grid_def(), particles);
     Tally t;
     require_ok(hg_visit_pairs(grid.get(), tally, &t), "hg_visit_pairs");
@@ -159,22 +159,22 @@ constexpr bool kSlowBuild = true;
 constexpr bool kSlowBuild = false;
 #endif
 
-std::int32_t count_only(void *context, const hg_pair *, std::size_t count) {
-  *static_cast<std::int64_t *>(context) += static_cast<std::int64_t>(count);
+int32_t count_only(void *context, const hg_pair *, size_t count) {
+  *static_cast<int64_t *>(context) += static_cast<int64_t>(count);
   return 0;
 }
 
 // Counts and offsets of pairs have 64 bits.
 void more_than_2_31_pairs(void **) {
   if (kSlowBuild) skip();
-  assert_true(holds(0, [](std::uint64_t) {
-    constexpr std::int64_t kCount = 66000, kPairs = kCount * (kCount - 1) / 2;
+  assert_true(holds(0, [](uint64_t) {
+    constexpr int64_t kCount = 66000, kPairs = kCount * (kCount - 1) / 2;
     static_assert(kPairs > INT32_MAX, "too few for this test");
     Particles particles;
     const double center[3] = {1, 2, 3};
-    for (int i = 0; i < kCount; ++i) particles.add(center, 0.1);
+    for (int i = 0; i < kCount; i++) particles.add(center, 0.1);
     const Grid grid = make_grid(hg_default_grid_def(), particles);
-    std::int64_t found = 0;
+    int64_t found = 0;
     require_ok(hg_visit_pairs(grid.get(), count_only, &found), "hg_visit_pairs");
     require(found == kPairs, std::to_string(found) + " pairs visited");
     hg_grid_stats stats;
@@ -185,7 +185,7 @@ void more_than_2_31_pairs(void **) {
 
 // No two particles near each other: nothing to test, and memory for the particles, not for the space between.
 void sparse_cloud(void **) {
-  assert_true(holds(4, [](std::uint64_t seed) {
+  assert_true(holds(4, [](uint64_t seed) {
     Rng rng(seed);
     require_exact_and_bounded("sparse cloud", cloud(rng, 20000, 5e5, 0.5), 1);
   }));
@@ -193,7 +193,7 @@ void sparse_cloud(void **) {
 
 // A crowd, and particles far away that make a table of cells coarse.
 void crowd_with_outliers(void **) {
-  assert_true(holds(5, [](std::uint64_t seed) {
+  assert_true(holds(5, [](uint64_t seed) {
     Rng rng(seed);
     Particles particles = cloud(rng, 20000, 15, 0.5);
     const double far[3][3] = {{1e9, 0, 0}, {-1e9, 1e9, 5}, {3, 4, -1e12}};
@@ -205,10 +205,10 @@ void crowd_with_outliers(void **) {
 // Lattices whose strides are powers of two, mirrored about the origin: coordinates that hash functions by shifts and
 // products put into few slots. At each point a triple of which two pairs touch and none overlaps, and one overlap.
 void strided_lattices(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     for (const double stride : {0x1p3, 0x1p16, 0x1p32, 0x1p44}) {
       Particles particles;
-      for (int at = 0; at < 20 * 20 * 20; ++at) {
+      for (int at = 0; at < 20 * 20 * 20; at++) {
         const double center[3] = {stride * (at % 20 - 10), stride * (at / 20 % 20 - 10), stride * (at / 400 - 10)};
         for (const double offset : {0.0, 1.0, 2.0, 2.5}) {
           const double moved[3] = {center[0] + offset, center[1], center[2]};

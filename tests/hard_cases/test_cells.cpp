@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where cells could go wrong: faces and corners, zero and just below it, numbers of cells beyond 32 and 64 bits, one
 // cell for all, levels with the same cell numbers, periodic boxes of one or two cells.
-#include "compare.hpp"
-#include "frame.h"
-#include "rng.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/rng.hpp"
 
 #include <cmath>
 #include <initializer_list>
@@ -33,14 +33,14 @@ hg_grid_def with_cells(const double *cells, int count) {
 
 // Centres on the faces, edges and corners of cells of both levels, and one unit in the last place off them.
 void faces_and_corners(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     const double cells[] = {0.5, 2};
     Particles particles;
-    for (int corner = 0; corner < 27; ++corner) {
+    for (int corner = 0; corner < 27; corner++) {
       const int c[3] = {corner % 3 - 1, corner / 3 % 3 - 1, corner / 9 - 1};
-      for (int side = -1; side <= 1; ++side) {
+      for (int side = -1; side <= 1; side++) {
         double x[3];
-        for (int k = 0; k < 3; ++k) x[k] = side < 0 ? below(2.0 * c[k]) : side > 0 ? above(2.0 * c[k]) : 2.0 * c[k];
+        for (int k = 0; k < 3; k++) x[k] = side < 0 ? below(2.0 * c[k]) : side > 0 ? above(2.0 * c[k]) : 2.0 * c[k];
         particles.add(x, 0.25);
         particles.add(x, 1);
       }
@@ -51,7 +51,7 @@ void faces_and_corners(void **) {
 
 // The cell of -0.0 is that of 0.0, the cell of the least negative number is the one below.
 void negative_zero_and_below(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     const double cells[] = {1};
     const double at[] = {-0.0, 0.0, -0x1p-1074, 0x1p-1074, -1e-300, -1.0, 1.0, below(1.0), above(-1.0)};
     Particles particles;
@@ -68,14 +68,14 @@ void negative_zero_and_below(void **) {
 // floor(0.3 / 0.1) = 2 but floor(0.3 * 10) = 3: equal spheres just below such faces lie one or two cells apart,
 // depending on which of the two a search takes for the particle and which for its window.
 void quotients_that_round_across_a_face(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     for (const double edge : {0.1, 0.7, 1.0 / 3, 1e-3}) {
       const double cells[] = {edge};
       hg_grid_def def = with_cells(cells, 1);
       def.dimension = 2;
       Particles particles;
       particles.dimension = 2;
-      for (int face = 1; face < 120; ++face) {
+      for (int face = 1; face < 120; face++) {
         const double y = 10.0 * edge * face;
         for (const double x : {below(face * edge), face * edge, below((face + 1) * edge), below((face + 2) * edge)}) {
           const double center[2] = {x, y};
@@ -89,13 +89,13 @@ void quotients_that_round_across_a_face(void **) {
 
 // Pairs so far apart that a cell number takes 31, 32, 53, 62, 63, 64 and 1000 bits.
 void indices_beyond_2_31_and_2_62(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     for (const int bits : {31, 32, 53, 62, 63, 64, 1000}) {
       const double cells[] = {1, 4};
       hg_grid_def def = with_cells(cells, 2);
       Particles particles;
       for (const double side : {-1.0, 0.0, 1.0}) {
-        for (int i = 0; i < 12; ++i) {
+        for (int i = 0; i < 12; i++) {
           const double far = side * std::ldexp(1, bits);
           const double center[3] = {far + 0.75 * (i % 3), -far + 0.75 * (i / 3 % 2), far + 0.75 * (i / 6)};
           particles.add(center, i % 4 == 0 ? 2 : 0.5);
@@ -110,11 +110,11 @@ void indices_beyond_2_31_and_2_62(void **) {
 }
 
 void all_in_one_cell(void **) {
-  assert_true(holds(3, [](std::uint64_t seed) {
+  assert_true(holds(3, [](uint64_t seed) {
     Rng rng(seed);
     const double cells[] = {1e6};
     Particles particles;
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < 400; i++) {
       const double center[3] = {rng.uniform(), rng.uniform(), rng.uniform()};
       particles.add(center, rng.uniform(0, 0.1));
     }
@@ -124,12 +124,12 @@ void all_in_one_cell(void **) {
 
 // On each of three levels the particles fill cells with the same three numbers.
 void equal_cell_numbers_on_several_levels(void **) {
-  assert_true(holds(4, [](std::uint64_t seed) {
+  assert_true(holds(4, [](uint64_t seed) {
     Rng rng(seed);
     const double cells[] = {0x1p-10, 1, 0x1p10};
     Particles particles;
     for (const double cell : cells) {
-      for (int i = 0; i < 150; ++i) {
+      for (int i = 0; i < 150; i++) {
         double center[3];
         for (double &x : center) x = cell * rng.uniform(-3, 3);
         particles.add(center, 0.5 * cell);
@@ -142,8 +142,8 @@ void equal_cell_numbers_on_several_levels(void **) {
 // Cells as long as the box, half as long, longer, and of lengths that do not divide it.
 void periodic_boxes_of_few_cells(void **) {
   bool all = true;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    all &= holds(seed, [](std::uint64_t s) {
+  for (uint64_t seed = 0; seed < 40; seed++) {
+    all &= holds(seed, [](uint64_t s) {
       Rng rng(s);
       for (const double cell : {1.0, 0.5, 10.0, 0.7, 0.3}) {
         const double cells[] = {0.25 * cell, cell};
@@ -151,11 +151,11 @@ void periodic_boxes_of_few_cells(void **) {
         def.dimension = rng.integer(2, 3);
         Particles particles;
         particles.dimension = def.dimension;
-        for (int k = 0; k < def.dimension; ++k) {
+        for (int k = 0; k < def.dimension; k++) {
           def.periodic[k] = rng.chance(0.8) ? 1 : 0;
           def.box_max[k] = 1;
         }
-        for (int i = 0; i < 30; ++i) {
+        for (int i = 0; i < 30; i++) {
           double center[3];
           for (double &x : center) x = rng.chance(0.2) ? rng.integer(-2, 2) * 0.5 : rng.uniform(-1, 2);
           particles.add(center, std::fmin(0.25, 0.5 * cell) * (rng.chance(0.3) ? 1 : rng.uniform()));

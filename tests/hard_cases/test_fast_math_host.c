@@ -3,7 +3,7 @@
 
 /* A host program compiled and linked with -ffast-math: it starts with subnormal numbers flushed to zero, and its
  * compiler believes that NaN does not exist. The library is not compiled so; it must see what the host cannot. */
-#include "fixture.h"
+#include "tests/support/fixture.h"
 
 #include <stdlib.h>
 #include <string.h>

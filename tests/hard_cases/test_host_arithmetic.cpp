@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The floating-point state belongs to the host: other rounding modes, subnormal numbers flushed to zero. HG_EXACT must
 // not notice, on one thread or several.
-#include "compare.hpp"
-#include "frame.h"
-#include "scenes.hpp"
-#include "sweep.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/scenes.hpp"
+#include "tests/support/sweep.hpp"
 
 #include <cfenv>
 #include <cmath>
@@ -49,7 +49,7 @@ constexpr bool kCanFlush = false;
 struct Flushing {};
 #endif
 
-Scene draw(std::uint64_t seed) {
+Scene draw(uint64_t seed) {
   Rng rng(seed);
   const int dimension = rng.integer(2, 3);
   const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
@@ -61,12 +61,12 @@ Scene draw(std::uint64_t seed) {
 }
 
 // Pairs one unit in the last place around touching, where each rounding counts.
-Scene draw_near_ties(std::uint64_t seed) {
+Scene draw_near_ties(uint64_t seed) {
   Rng rng(seed);
   Scene scene;
   scene.name = "near ties";
   scene.def.thread_count = 1;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 60; i++) {
     const double r = rng.uniform(0.1, 1), s = rng.uniform(0.1, 1), angle = rng.uniform(0, 6.28);
     const double a[3] = {16.0 * i + rng.uniform(), rng.uniform(), rng.uniform()};
     const double b[3] = {a[0] + (r + s) * std::cos(angle), a[1] + (r + s) * std::sin(angle), a[2]};
@@ -90,9 +90,9 @@ void check(const Scene &scene, Arguments... arguments) {
 void any_rounding_mode(void **) {
   bool all = true;
   for (const int mode : {FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
-    for (std::uint64_t seed = 0; seed < 120; ++seed) {
-      all &= holds(seed, [=](std::uint64_t s) { check<Rounding>(draw(s), mode); });
-      if (seed < 40) all &= holds(seed, [=](std::uint64_t s) { check<Rounding>(draw_near_ties(s), mode); });
+    for (uint64_t seed = 0; seed < 120; seed++) {
+      all &= holds(seed, [=](uint64_t s) { check<Rounding>(draw(s), mode); });
+      if (seed < 40) all &= holds(seed, [=](uint64_t s) { check<Rounding>(draw_near_ties(s), mode); });
     }
   }
   assert_true(all);
@@ -101,8 +101,8 @@ void any_rounding_mode(void **) {
 void flush_to_zero(void **) {
   if (!kCanFlush) skip();
   bool all = true;
-  for (std::uint64_t seed = 0; seed < 120; ++seed) {
-    all &= holds(seed, [](std::uint64_t s) { check<Flushing>(draw(s)); });
+  for (uint64_t seed = 0; seed < 120; seed++) {
+    all &= holds(seed, [](uint64_t s) { check<Flushing>(draw(s)); });
   }
   assert_true(all);
 }
@@ -111,14 +111,14 @@ void flush_to_zero(void **) {
 void flush_to_zero_with_subnormal_input(void **) {
   if (!kCanFlush) skip();
   bool all = true;
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    all &= holds(seed, [](std::uint64_t s) {
+  for (uint64_t seed = 0; seed < 60; seed++) {
+    all &= holds(seed, [](uint64_t s) {
       Rng rng(s);
       Scene scene;
       scene.name = "subnormal";
       const double unit = rng.chance(0.5) ? 0x1p-1074 : 0x1p-1030;
       scene.def.margin = rng.chance(0.3) ? unit : 0;
-      for (int i = 0; i < 50; ++i) {
+      for (int i = 0; i < 50; i++) {
         double x[3];
         for (double &coordinate : x) coordinate = rng.integer(-20, 20) * unit;
         scene.particles.add(x, rng.integer(0, 6) * unit);
@@ -134,14 +134,14 @@ void flush_to_zero_with_subnormal_input(void **) {
 // -2^-1074 is negative, though it compares equal to zero in this state.
 void negative_subnormal_radius_is_refused(void **) {
   if (!kCanFlush) skip();
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     const Grid grid = make_grid(hg_default_grid_def());
     const double center[3] = {0, 0, 0}, negative = -0x1p-1074, zero = -0.0;
     hg_status status, sphere, fine;
     {
       const Flushing state;
-      const std::int32_t *ids = nullptr;
-      std::size_t count = 0;
+      const int32_t *ids = nullptr;
+      size_t count = 0;
       status = hg_insert(grid.get(), 1, center, &negative);
       sphere = hg_query_sphere(grid.get(), center, negative, &ids, &count);
       fine = hg_insert(grid.get(), 1, center, &zero);
@@ -154,7 +154,7 @@ void negative_subnormal_radius_is_refused(void **) {
 
 // Enough particles that threads share the work; those threads may have begun in another state than the caller's.
 void threads_in_another_state(void **) {
-  assert_true(holds(9, [](std::uint64_t seed) {
+  assert_true(holds(9, [](uint64_t seed) {
     Rng rng(seed);
     Scene scene = open_scene(rng, 3, 25000, Sizes::kUniformVolume, Places::kUniform);
     scene.def.accuracy = HG_EXACT;

@@ -4,7 +4,7 @@
 /* HGRID_ISA with a name that no build knows: an error that names it, not another instruction set. It is read at the
  * first search, so this program has no other test. */
 #define _POSIX_C_SOURCE 200112L
-#include "fixture.h"
+#include "tests/support/fixture.h"
 
 #include <stdlib.h>
 

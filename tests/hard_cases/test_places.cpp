@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where particles are: so far out that coordinates are coarser than radii, in a line or plane, just outside a periodic
 // box, on the way through its faces, and the same set elsewhere.
-#include "compare.hpp"
-#include "frame.h"
-#include "rng.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/rng.hpp"
 
 #include <cmath>
 #include <initializer_list>
@@ -19,10 +19,10 @@ void require_exact(const std::string &what, const hg_grid_def &def, const Partic
 
 // At 1e9 doubles are 1.2e-7 apart, so radii of 1e-6 span a few of them: the stored positions are the truth.
 void tiny_radii_at_1e9(void **) {
-  assert_true(holds(1, [](std::uint64_t seed) {
+  assert_true(holds(1, [](uint64_t seed) {
     Rng rng(seed);
     Particles particles;
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < 600; i++) {
       const double side = i % 2 == 0 ? 1e9 : -1e9;
       const double center[3] = {side + rng.uniform(0, 2e-5), -side + rng.uniform(0, 2e-5), side + rng.uniform(0, 2e-5)};
       particles.add(center, 1e-6);
@@ -40,26 +40,26 @@ void tiny_radii_at_1e9(void **) {
 
 // A system without volume must not make the choice of levels divide by it.
 void no_volume_gives_finite_levels(void **) {
-  assert_true(holds(2, [](std::uint64_t seed) {
+  assert_true(holds(2, [](uint64_t seed) {
     Rng rng(seed);
     for (const double radius : {0.0, 1e-9, 1.0}) {
-      for (int free_axes = 0; free_axes < 3; ++free_axes) {
+      for (int free_axes = 0; free_axes < 3; free_axes++) {
         Particles particles;
-        for (int i = 0; i < 100; ++i) {
+        for (int i = 0; i < 100; i++) {
           double center[3] = {7, -3, 5};
-          for (int k = 0; k < free_axes; ++k) center[k] = rng.uniform(0, 20);
+          for (int k = 0; k < free_axes; k++) center[k] = rng.uniform(0, 20);
           particles.add(center, radius * rng.uniform(0.5, 1));
         }
-        for (const std::int32_t rule : {HG_LEVELS_AUTO, HG_LEVELS_PAPER}) {
+        for (const int32_t rule : {HG_LEVELS_AUTO, HG_LEVELS_PAPER}) {
           hg_grid_def def = hg_default_grid_def();
           def.level_rule = rule;
           const Grid grid = make_grid(def, particles);
           require_same("no volume", sorted_pairs_of(grid), all_pairs(def, particles, exact_interact));
           const hg_level *levels = nullptr;
-          std::size_t count = 0;
+          size_t count = 0;
           require_ok(hg_query_levels(grid.get(), &levels, &count), "hg_query_levels");
           require(count >= 1, "no level");
-          for (std::size_t h = 0; h < count; ++h) {
+          for (size_t h = 0; h < count; h++) {
             require(std::isfinite(levels[h].cell_size) && std::isfinite(levels[h].occupancy), "a level is not finite");
           }
         }
@@ -70,10 +70,10 @@ void no_volume_gives_finite_levels(void **) {
 
 // x - L floor(x / L) of -1e-20 is L, not below it: the particle lies at both faces of the box, not outside.
 void least_negative_wraps_to_the_upper_face(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     hg_grid_def def = hg_default_grid_def();
     Particles particles;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; k++) {
       def.periodic[k] = 1;
       def.box_max[k] = 1;
     }
@@ -87,9 +87,9 @@ void least_negative_wraps_to_the_upper_face(void **) {
 
 // Two particles in contact drift through the faces of the box, wrapped or not: the contact never breaks.
 void contact_crosses_the_faces(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     hg_grid_def def = hg_default_grid_def();
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; k++) {
       def.periodic[k] = 1;
       def.box_min[k] = -1;
       def.box_max[k] = 1;
@@ -98,11 +98,11 @@ void contact_crosses_the_faces(void **) {
     double centers[6] = {0, 0, 0, 0.19, 0, 0};
     const double radii[2] = {0.1, 0.1};
     require_ok(hg_insert(grid.get(), 2, centers, radii), "hg_insert");
-    for (int step = 0; step < 300; ++step) {
+    for (int step = 0; step < 300; step++) {
       require_same("the contact", pairs_of(grid), {{0, 1}});
-      for (int i = 0; i < 6; ++i) centers[i] += 0.017 * (1 + i % 3);
+      for (int i = 0; i < 6; i++) centers[i] += 0.017 * (1 + i % 3);
       double wrapped[6];
-      for (int i = 0; i < 6; ++i) {
+      for (int i = 0; i < 6; i++) {
         wrapped[i] = step % 2 == 0 ? centers[i] : centers[i] - 2 * std::floor((centers[i] + 1) / 2);
       }
       require_ok(hg_move(grid.get(), 2, wrapped, nullptr), "hg_move");
@@ -112,15 +112,15 @@ void contact_crosses_the_faces(void **) {
 
 // Coordinates on a dyadic raster move by a raster vector without rounding: not a pair may change.
 void dyadic_translation(void **) {
-  assert_true(holds(3, [](std::uint64_t seed) {
+  assert_true(holds(3, [](uint64_t seed) {
     Rng rng(seed);
     const double raster = 0x1p-20;
     Particles here, there;
     double shift[3];
     for (double &s : shift) s = raster * rng.integer(-(1 << 29), 1 << 29);
-    for (int i = 0; i < 400; ++i) {
+    for (int i = 0; i < 400; i++) {
       double x[3], y[3];
-      for (int k = 0; k < 3; ++k) {
+      for (int k = 0; k < 3; k++) {
         x[k] = raster * rng.integer(0, 1 << 22);
         y[k] = x[k] + shift[k];
       }

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* Hosts with several threads or processes: a grid for each thread, a grid that lives on in a forked child. */
-#include "fixture.h"
+#include "tests/support/fixture.h"
 
 #include <pthread.h>
 #include <stdlib.h>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // 113 bits are not enough: ordinary spheres, touching up to 1e-34, that quadruple precision takes for touching and that
 // do overlap. Differences and squares of such doubles are exact in 113 bits, the sum of two squares is not.
-#include "compare.hpp"
-#include "frame.h"
-#include "truth/exact_set.hpp"
+#include "oracle/exact_set.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
 
 namespace {
 
@@ -33,7 +33,7 @@ oracle::Set set_of(const Particles &particles) {
 }
 
 void quadruple_precision_is_not_enough(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     for (const Case &c : kCases) {
       const Particles particles = two_spheres(c);
       const oracle::Set set = set_of(particles);
@@ -46,7 +46,7 @@ void quadruple_precision_is_not_enough(void **) {
 
 // Coordinates far apart in size: already the difference takes more than 113 bits.
 void differences_need_more_than_113_bits(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     Particles particles;
     const double a[3] = {1, 0, 0}, b[3] = {0x1p-120, 0, 0};
     particles.add(a, 0.5);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // touching COUNT OFFSET RATIO: prints a particle file full of pairs within rounding of touching, radii over a range of
 // RATIO, all coordinates moved by OFFSET.
-#include "accuracy/systems.hpp"
+#include "programs/accuracy/systems.hpp"
 
 #include <cstdio>
 #include <cstdlib>
@@ -12,11 +12,11 @@ int main(int count, char **arguments) {
     std::fprintf(stderr, "usage: touching COUNT OFFSET RATIO\n");
     return 2;
   }
-  const auto particles = static_cast<std::size_t>(std::strtol(arguments[1], nullptr, 10));
+  const auto particles = static_cast<size_t>(std::strtol(arguments[1], nullptr, 10));
   const double offset = std::strtod(arguments[2], nullptr), ratio = std::strtod(arguments[3], nullptr);
-  const app::ParticleSet set = accuracy::moved(accuracy::touching_chain(particles, ratio), offset);
+  const particles::ParticleSet set = accuracy::moved(accuracy::touching_chain(particles, ratio), offset);
   std::printf("x,y,z,radius\n");
-  for (std::size_t i = 0; i < set.count(); ++i) {
+  for (size_t i = 0; i < set.count(); i++) {
     const double *x = &set.centers[3 * i];
     std::printf("%.17g,%.17g,%.17g,%.17g\n", x[0], x[1], x[2], set.radii[i]);
   }

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-
 // Functions of plain arithmetic against the C library, and arrangements against the shares that define them.
-#include "../app/cmocka_cpp.hpp"
 #include "packing/arrangement.hpp"
 #include "packing/portable_math.hpp"
+#include "tests/particles/cmocka_cpp.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +16,7 @@ namespace {
 
 using packing::Arrangement;
 
-constexpr std::uint64_t kSeed = 99;
+constexpr uint64_t kSeed = 99;
 constexpr int kThrows = 20000;
 
 bool near(const char *what, double at, double found, double expected, double relative) {
@@ -27,7 +26,7 @@ bool near(const char *what, double at, double found, double expected, double rel
 }
 
 bool roots_and_powers() {
-  for (int degree = 1; degree <= 8; ++degree) {
+  for (int degree = 1; degree <= 8; degree++) {
     for (const double x : {1e-30, 0.001, 0.5, 1.0, 2.0, 7.7e6, 1e40}) {
       const double r = packing::root(x, degree);
       if (!near("root", x, r, std::pow(x, 1.0 / degree), 1e-14)) return false;
@@ -73,13 +72,13 @@ packing::Container box(int dimension) {
 template <class Where>
 double share(Arrangement arrangement, int dimension, Where where) {
   const packing::Container container = box(dimension);
-  hgrid_sim::Random random(kSeed);
+  packing::Random random(kSeed);
   packing::Thrower thrower(arrangement, container, random);
   int inside = 0;
-  for (int i = 0; i < kThrows; ++i) {
+  for (int i = 0; i < kThrows; i++) {
     double x[3] = {0, 0, 0};
     thrower(0.01, x);
-    for (int k = 0; k < dimension; ++k) {
+    for (int k = 0; k < dimension; k++) {
       if (!(x[k] >= 0.01 && x[k] <= 9.99)) return -1;
     }
     inside += where(x) ? 1 : 0;
@@ -89,7 +88,7 @@ double share(Arrangement arrangement, int dimension, Where where) {
 
 double distance_from_middle(const double *x, int dimension) {
   double square = 0;
-  for (int k = 0; k < dimension; ++k) square += (x[k] - 5) * (x[k] - 5);
+  for (int k = 0; k < dimension; k++) square += (x[k] - 5) * (x[k] - 5);
   return std::sqrt(square);
 }
 
@@ -118,16 +117,16 @@ void arrangements_hold_their_shares(void **) {
 // The share of pairs of throws nearer to each other than `reach`.
 double close_share(double reach) {
   const packing::Container container = box(3);
-  hgrid_sim::Random random(kSeed);
+  packing::Random random(kSeed);
   packing::Thrower thrower(Arrangement::kClusters, container, random);
   constexpr int kCount = 4000;
   std::vector<double> x(3 * kCount, 0.0);
-  for (int i = 0; i < kCount; ++i) thrower(0, &x[3 * static_cast<std::size_t>(i)]);
+  for (int i = 0; i < kCount; i++) thrower(0, &x[3 * static_cast<size_t>(i)]);
   int close = 0;
-  for (std::size_t i = 0; i < kCount; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
+  for (size_t i = 0; i < kCount; i++) {
+    for (size_t j = 0; j < i; j++) {
       double square = 0;
-      for (std::size_t k = 0; k < 3; ++k) square += (x[3 * i + k] - x[3 * j + k]) * (x[3 * i + k] - x[3 * j + k]);
+      for (size_t k = 0; k < 3; k++) square += (x[3 * i + k] - x[3 * j + k]) * (x[3 * i + k] - x[3 * j + k]);
       close += square < reach * reach ? 1 : 0;
     }
   }

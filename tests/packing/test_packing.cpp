@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-
 // Packings from end to end: density, walls, periodic images, progress of the relaxation, reproducibility, refusals.
-#include "../app/cmocka_cpp.hpp"
-#include "error.hpp"
 #include "packing/packing.hpp"
+#include "particles/error.hpp"
+#include "tests/particles/cmocka_cpp.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -15,7 +14,7 @@ namespace {
 
 using packing::Law;
 
-constexpr std::uint64_t kSeed = 4711;
+constexpr uint64_t kSeed = 4711;
 
 packing::Request request_of(Law law, double ratio, int dimension) {
   packing::Request request;
@@ -26,16 +25,16 @@ packing::Request request_of(Law law, double ratio, int dimension) {
   return request;
 }
 
-double volume_of(const app::ParticleSet &set) {
+double volume_of(const particles::ParticleSet &set) {
   double volume = 0;
   for (const double r : set.radii) volume += set.dimension == 2 ? M_PI * r * r : 4 * M_PI / 3 * r * r * r;
   return volume;
 }
 
-bool inside_walls(const app::ParticleSet &set) {
-  const std::size_t d = static_cast<std::size_t>(set.dimension);
-  for (std::size_t i = 0; i < set.count(); ++i) {
-    for (std::size_t k = 0; k < d; ++k) {
+bool inside_walls(const particles::ParticleSet &set) {
+  const size_t d = static_cast<size_t>(set.dimension);
+  for (size_t i = 0; i < set.count(); i++) {
+    for (size_t k = 0; k < d; k++) {
       const double x = set.centers[i * d + k];
       const double room = set.periodic[k] != 0 ? 0 : set.radii[i];
       if (!(x >= room) || !(x <= set.box_max[k] - room)) {
@@ -48,13 +47,13 @@ bool inside_walls(const app::ParticleSet &set) {
 }
 
 // The largest overlap over the smaller radius, by comparing all pairs.
-packing::Overlaps overlaps_of(const app::ParticleSet &set) {
-  const std::size_t d = static_cast<std::size_t>(set.dimension);
+packing::Overlaps overlaps_of(const particles::ParticleSet &set) {
+  const size_t d = static_cast<size_t>(set.dimension);
   packing::Overlaps found;
-  for (std::size_t i = 0; i < set.count(); ++i) {
-    for (std::size_t j = i + 1; j < set.count(); ++j) {
+  for (size_t i = 0; i < set.count(); i++) {
+    for (size_t j = i + 1; j < set.count(); j++) {
       double square = 0;
-      for (std::size_t k = 0; k < d; ++k) {
+      for (size_t k = 0; k < d; k++) {
         double x = set.centers[i * d + k] - set.centers[j * d + k];
         if (set.periodic[k] != 0) x = std::remainder(x, set.box_max[k]);
         square += x * x;
@@ -62,7 +61,7 @@ packing::Overlaps overlaps_of(const app::ParticleSet &set) {
       const double sum = set.radii[i] + set.radii[j];
       if (!(square < sum * sum)) continue;
       const double overlap = (sum - std::sqrt(square)) / std::min(set.radii[i], set.radii[j]);
-      ++found.contacts;
+      found.contacts++;
       found.mean += overlap;
       found.largest = std::max(found.largest, overlap);
     }
@@ -76,7 +75,7 @@ bool good_packing(const packing::Request &request) {
   const packing::Packing made = packing::make_packing(request, [&first](int done, const packing::Overlaps &overlaps) {
     if (done == 0) first = overlaps;
   });
-  const app::ParticleSet &set = made.particles;
+  const particles::ParticleSet &set = made.particles;
   double box = set.box_max[0] * set.box_max[1];
   if (set.dimension == 3) box *= set.box_max[2];
   const packing::Overlaps found = overlaps_of(set);
@@ -163,22 +162,22 @@ void a_seed_is_a_packing(void **) {
 }
 
 // FNV-1a over the bit patterns, coordinates first.
-std::uint64_t hash_of(const app::ParticleSet &set) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
+uint64_t hash_of(const particles::ParticleSet &set) {
+  uint64_t hash = 0xcbf29ce484222325u;
   for (const std::vector<double> *values : {&set.centers, &set.radii}) {
     for (const double value : *values) {
-      std::uint64_t bits = 0;
+      uint64_t bits = 0;
       std::memcpy(&bits, &value, sizeof bits);
-      for (int k = 0; k < 8; ++k) hash = (hash ^ ((bits >> (8 * k)) & 255u)) * 0x100000001b3u;
+      for (int k = 0; k < 8; k++) hash = (hash ^ ((bits >> (8 * k)) & 255u)) * 0x100000001b3u;
     }
   }
   return hash;
 }
 
-bool hash_is(int dimension, std::uint64_t expected) {
+bool hash_is(int dimension, uint64_t expected) {
   packing::Request request = request_of(Law::kUniformVolume, 8, dimension);
   request.sweeps = 5;
-  const std::uint64_t hash = hash_of(packing::make_packing(request, nullptr).particles);
+  const uint64_t hash = hash_of(packing::make_packing(request, nullptr).particles);
   if (hash == expected) return true;
   std::fprintf(stderr, "dimension %d, seed %llu: hash 0x%016llx\n", dimension, static_cast<unsigned long long>(kSeed),
                static_cast<unsigned long long>(hash));
@@ -197,7 +196,7 @@ bool coincident_centers_part() {
   packing::Container container;
   container.dimension = 2;
   container.edge = 20;
-  app::ParticleSet set = container.empty_set();
+  particles::ParticleSet set = container.empty_set();
   set.centers = {10, 10, 10, 10};
   set.radii = {1, 1};
   const packing::Overlaps left = packing::relax(container, 60, nullptr, set);
@@ -215,8 +214,8 @@ bool center_of_mass_stays(int dimension) {
   packing::Container container;
   container.dimension = dimension;
   container.edge = 100;
-  app::ParticleSet set = container.empty_set();
-  const std::size_t d = static_cast<std::size_t>(dimension);
+  particles::ParticleSet set = container.empty_set();
+  const size_t d = static_cast<size_t>(dimension);
   set.centers.assign(2 * d, 50.0);
   set.centers[d] = 53.9;
   set.radii = {3, 1};
@@ -236,7 +235,7 @@ void a_contact_keeps_the_center_of_mass(void **) {
 bool refuses(const packing::Request &request, const std::string &text) {
   try {
     packing::make_packing(request, nullptr);
-  } catch (const app::Error &error) {
+  } catch (const particles::Error &error) {
     if (std::string(error.what()).find(text) != std::string::npos) return true;
     std::fprintf(stderr, "refused with: %s\n", error.what());
     return false;

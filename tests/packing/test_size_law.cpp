@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-
 // The size laws against closed forms and reference values of the paper's systems.
-#include "../app/cmocka_cpp.hpp"
 #include "packing/size_law.hpp"
+#include "tests/particles/cmocka_cpp.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +14,7 @@ namespace {
 using packing::Law;
 using packing::SizeLaw;
 
-constexpr std::size_t kCount = 125001;
+constexpr size_t kCount = 125001;
 constexpr double kDensity = 0.62;
 
 bool near(const char *what, double found, double expected, double relative) {
@@ -30,7 +29,7 @@ double moment(const std::vector<double> &radii, int power) {
   return sum / static_cast<double>(radii.size());
 }
 
-bool largest_radius_is(double omega, std::size_t count, double expected) {
+bool largest_radius_is(double omega, size_t count, double expected) {
   const std::vector<double> radii = packing::sample_radii({Law::kUniformVolume, omega, 3}, count, 0.5);
   return std::is_sorted(radii.begin(), radii.end()) && radii.front() >= 1 &&
          near("largest radius", radii.back(), expected, 1e-4);
@@ -100,7 +99,7 @@ bool moments_of_power_law(int a) {
   const double omega = 20;
   const std::vector<double> radii = packing::sample_radii({Law::kPowerLaw, omega, 3, a}, kCount, 0.5);
   const double norm = (1 - std::pow(omega, 1 - a)) / (a - 1);
-  for (int n = 1; n <= 3; ++n) {
+  for (int n = 1; n <= 3; n++) {
     const double integral = n == a - 1 ? std::log(omega) : (std::pow(omega, n + 1 - a) - 1) / (n + 1 - a);
     if (!near("<r^n> of a power law", moment(radii, n), integral / norm, 5e-3)) return false;
   }
@@ -108,7 +107,7 @@ bool moments_of_power_law(int a) {
 }
 
 void power_laws(void **) {
-  for (int a = 2; a <= 6; ++a) {
+  for (int a = 2; a <= 6; a++) {
     const bool ok = moments_of_power_law(a);
     assert_true(ok);
   }

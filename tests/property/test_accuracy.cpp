@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // HG_DOUBLE equals the plain expression bit for bit; HG_FLOAT misses nothing and adds only pairs that nearly touch.
-#include "compare.hpp"
-#include "frame.h"
-#include "scenes.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +19,13 @@ constexpr double kFloatExtra = 1e-3;
 Scene draw(Rng &rng) {
   const int dimension = rng.integer(2, 3);
   const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
-  const std::size_t count = rng.below(250);
+  const size_t count = rng.below(250);
   if (rng.chance(0.4)) return periodic_scene(rng, dimension, rng.integer(1, (1 << dimension) - 1), count, sizes);
   const Places places = static_cast<Places>(rng.below(kPlacesCount));
   return open_scene(rng, dimension, places == Places::kCoincident ? count / 3 : count, sizes, places);
 }
 
-void check_double(std::uint64_t seed) {
+void check_double(uint64_t seed) {
   Rng rng(seed);
   Scene scene = draw(rng);
   draw_levels(rng, scene);
@@ -36,17 +36,17 @@ void check_double(std::uint64_t seed) {
 
 void double_is_the_plain_expression(void **) {
   bool all = true;
-  for (std::uint64_t seed = 0; seed < 1200; ++seed) all &= holds(seed, check_double);
+  for (uint64_t seed = 0; seed < 1200; seed++) all &= holds(seed, check_double);
   assert_true(all);
 }
 
-Sphere row(const Scene &scene, std::int32_t id) {
-  const std::size_t i = static_cast<std::size_t>(id - scene.def.index_base);
+Sphere row(const Scene &scene, int32_t id) {
+  const size_t i = static_cast<size_t>(id - scene.def.index_base);
   return {scene.particles.center(i), scene.particles.radii[i]};
 }
 
 void require_distinct(const Pairs &ascending) {
-  for (std::size_t k = 0; k < ascending.size(); ++k) {
+  for (size_t k = 0; k < ascending.size(); k++) {
     require(ascending[k].a < ascending[k].b, "a pair is not a < b");
     require(k == 0 || pair_less(ascending[k - 1], ascending[k]), "a pair comes twice");
   }
@@ -70,7 +70,7 @@ void require_float(Scene &scene) {
   }
 }
 
-void check_float(std::uint64_t seed) {
+void check_float(uint64_t seed) {
   Rng rng(seed);
   Scene scene = draw(rng);
   draw_levels(rng, scene);
@@ -78,16 +78,16 @@ void check_float(std::uint64_t seed) {
 }
 
 // Periodic boxes of just twice the reach, where a particle may touch another through both faces, and itself.
-void check_float_in_shortest_box(std::uint64_t seed) {
+void check_float_in_shortest_box(uint64_t seed) {
   Rng rng(seed);
   Scene scene;
   scene.name = "shortest box";
   const double scale = std::ldexp(1, rng.integer(-40, 40));
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; k++) {
     scene.def.periodic[k] = 1;
     scene.def.box_max[k] = (rng.chance(0.3) ? 1e9 : 4) * scale;
   }
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 30; i++) {
     double x[3];
     for (double &coordinate : x) coordinate = rng.integer(-8, 8) * 0.5 * scale;
     scene.particles.add(x, rng.chance(0.5) ? scale : 0.25 * scale);
@@ -97,19 +97,19 @@ void check_float_in_shortest_box(std::uint64_t seed) {
 
 void float_misses_nothing(void **) {
   bool all = true;
-  for (std::uint64_t seed = 0; seed < 1200; ++seed) all &= holds(seed, check_float);
-  for (std::uint64_t seed = 0; seed < 60; ++seed) all &= holds(seed, check_float_in_shortest_box);
+  for (uint64_t seed = 0; seed < 1200; seed++) all &= holds(seed, check_float);
+  for (uint64_t seed = 0; seed < 60; seed++) all &= holds(seed, check_float_in_shortest_box);
   assert_true(all);
 }
 
 // Points whose reach is zero never overlap, however the distance is rounded.
 void points_never_overlap(void **) {
-  const bool all = holds(0, [](std::uint64_t) {
-    for (int accuracy = HG_EXACT; accuracy <= HG_FLOAT; ++accuracy) {
+  const bool all = holds(0, [](uint64_t) {
+    for (int accuracy = HG_EXACT; accuracy <= HG_FLOAT; accuracy++) {
       hg_grid_def def = hg_default_grid_def();
       def.accuracy = accuracy;
       Particles particles;
-      for (int i = 0; i < 20; ++i) {
+      for (int i = 0; i < 20; i++) {
         const double x[3] = {0x1p-1074 * (i % 3), 0, 0};
         particles.add(x, 0);
       }

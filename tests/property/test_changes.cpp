@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Random sequences of insert, move, remove and clear, with queries in between, against a plain list of the particles.
-#include "compare.hpp"
-#include "frame.h"
-#include "scenes.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/scenes.hpp"
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ using namespace hgtest;
 // A grid and what it must hold, driven by one random stream.
 class Walk {
  public:
-  Walk(std::uint64_t seed, double skin) : rng_(seed), scene_(draw_scene(rng_)) {
+  Walk(uint64_t seed, double skin) : rng_(seed), scene_(draw_scene(rng_)) {
     scene_.def.skin = skin;
     pool_ = scene_.particles;
     live_.dimension = pool_.dimension;
@@ -23,7 +23,7 @@ class Walk {
   }
 
   void run(int steps) {
-    for (int step = 0; step < steps; ++step) {
+    for (int step = 0; step < steps; step++) {
       const int action = rng_.integer(0, 9);
       if (action < 3) {
         insert();
@@ -53,13 +53,13 @@ class Walk {
   }
 
   // Particles come from the pool of the scene, so that boxes and user cells always fit them.
-  std::size_t any_of_pool() { return rng_.below(pool_.size()); }
+  size_t any_of_pool() { return rng_.below(pool_.size()); }
 
   void insert() {
     Particles batch;
     batch.dimension = pool_.dimension;
     const int count = rng_.integer(0, 40);
-    for (int k = 0; k < count; ++k) {
+    for (int k = 0; k < count; k++) {
       batch.add(pool_.center(any_of_pool()), pool_.radii[any_of_pool()]);
       live_.add(batch.center(batch.size() - 1), batch.radii.back());
       ids_.push_back(next_id_++);
@@ -71,12 +71,12 @@ class Walk {
   void move() {
     const bool jump = rng_.chance(0.3);
     const bool new_radii = rng_.chance(0.4);
-    const std::size_t dimension = static_cast<std::size_t>(live_.dimension);
-    for (std::size_t i = 0; i < live_.size(); ++i) {
+    const size_t dimension = static_cast<size_t>(live_.dimension);
+    for (size_t i = 0; i < live_.size(); i++) {
       if (jump) {
         std::copy_n(pool_.center(any_of_pool()), dimension, &live_.centers[i * dimension]);
       } else {
-        for (std::size_t k = 0; k < dimension; ++k) {
+        for (size_t k = 0; k < dimension; k++) {
           live_.centers[i * dimension + k] += rng_.uniform(-0.3, 0.3) * live_.radii[i];
         }
       }
@@ -87,14 +87,14 @@ class Walk {
   }
 
   void remove() {
-    std::vector<std::int32_t> gone;
+    std::vector<int32_t> gone;
     const double share = rng_.chance(0.1) ? 1 : rng_.uniform(0, 0.5);
     Particles left;
     left.dimension = live_.dimension;
-    std::vector<std::int32_t> left_ids;
-    for (std::size_t i = 0; i < live_.size(); ++i) {
+    std::vector<int32_t> left_ids;
+    for (size_t i = 0; i < live_.size(); i++) {
       if (rng_.chance(share)) {
-        gone.insert(gone.begin() + static_cast<std::ptrdiff_t>(rng_.below(gone.size() + 1)), ids_[i]);
+        gone.insert(gone.begin() + static_cast<ptrdiff_t>(rng_.below(gone.size() + 1)), ids_[i]);
       } else {
         left.add(live_.center(i), live_.radii[i]);
         left_ids.push_back(ids_[i]);
@@ -117,22 +117,22 @@ class Walk {
     require_same(scene_.name.c_str(), sorted_pairs_of(grid_), all_pairs(scene_.def, live_, ids_, exact_interact));
     hg_grid_stats stats;
     require_ok(hg_get_stats(grid_.get(), &stats, sizeof stats), "hg_get_stats");
-    require(stats.particle_count == static_cast<std::int64_t>(live_.size()), "wrong number of live particles");
+    require(stats.particle_count == static_cast<int64_t>(live_.size()), "wrong number of live particles");
   }
 
   Rng rng_;
   Scene scene_;
   Particles pool_;
   Particles live_;
-  std::vector<std::int32_t> ids_;
-  std::int32_t next_id_ = 0;
+  std::vector<int32_t> ids_;
+  int32_t next_id_ = 0;
   Grid grid_;
 };
 
 void any_sequence(void **) {
   bool all = true;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    all &= holds(seed, [](std::uint64_t s) { Walk(s, 0).run(25); });
+  for (uint64_t seed = 0; seed < 150; seed++) {
+    all &= holds(seed, [](uint64_t s) { Walk(s, 0).run(25); });
   }
   assert_true(all);
 }
@@ -140,8 +140,8 @@ void any_sequence(void **) {
 // The skin saves searches while particles move little; the answers are the same.
 void any_sequence_with_skin(void **) {
   bool all = true;
-  for (std::uint64_t seed = 500; seed < 600; ++seed) {
-    all &= holds(seed, [](std::uint64_t s) { Walk(s, s % 2 == 0 ? 0.1 : 1e-5).run(25); });
+  for (uint64_t seed = 500; seed < 600; seed++) {
+    all &= holds(seed, [](uint64_t s) { Walk(s, s % 2 == 0 ? 0.1 : 1e-5).run(25); });
   }
   assert_true(all);
 }

@@ -1,31 +1,30 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // HG_EXACT on open axes: every size law in every arrangement gives the pairs of real arithmetic.
-#include "compare.hpp"
-#include "frame.h"
-#include "scenes.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/scenes.hpp"
 
 namespace {
 
 using namespace hgtest;
 
-void check(std::uint64_t seed, int dimension, Places places, std::size_t largest_count) {
+void check(uint64_t seed, int dimension, Places places, size_t largest_count) {
   Rng rng(seed);
   const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
-  const std::size_t count = rng.chance(0.1) ? rng.below(4) : rng.below(largest_count + 1);
+  const size_t count = rng.chance(0.1) ? rng.below(4) : rng.below(largest_count + 1);
   Scene scene = open_scene(rng, dimension, count, sizes, places);
   draw_levels(rng, scene);
   const Grid grid = make_grid(scene.def, scene.particles);
   require_same(scene.name.c_str(), sorted_pairs_of(grid), all_pairs(scene.def, scene.particles, exact_interact));
 }
 
-bool sweep(int dimension, Places places, int rounds, std::size_t largest_count) {
+bool sweep(int dimension, Places places, int rounds, size_t largest_count) {
   bool all = true;
-  const std::uint64_t first =
-      1000 * static_cast<std::uint64_t>(places) + 100000 * static_cast<std::uint64_t>(dimension);
-  for (int round = 0; round < rounds; ++round) {
-    all &= holds(first + static_cast<std::uint64_t>(round),
-                 [=](std::uint64_t seed) { check(seed, dimension, places, largest_count); });
+  const uint64_t first = 1000 * static_cast<uint64_t>(places) + 100000 * static_cast<uint64_t>(dimension);
+  for (int round = 0; round < rounds; round++) {
+    all &= holds(first + static_cast<uint64_t>(round),
+                 [=](uint64_t seed) { check(seed, dimension, places, largest_count); });
   }
   return all;
 }

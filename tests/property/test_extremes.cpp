@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The ends of the range of doubles: squares that under- or overflow, extents whose ratio to the radii does, boxes so
 // far from the origin that their coordinates are coarser than the box.
-#include "compare.hpp"
-#include "frame.h"
-#include "scenes.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/scenes.hpp"
 
 #include <cmath>
 
@@ -12,9 +12,9 @@ namespace {
 
 using namespace hgtest;
 
-bool sweep(std::uint64_t rounds, void (*check)(std::uint64_t)) {
+bool sweep(uint64_t rounds, void (*check)(uint64_t)) {
   bool all = true;
-  for (std::uint64_t seed = 0; seed < rounds; ++seed) all &= holds(seed, check);
+  for (uint64_t seed = 0; seed < rounds; seed++) all &= holds(seed, check);
   return all;
 }
 
@@ -28,13 +28,13 @@ void require_both(const std::string &what, hg_grid_def def, const Particles &par
 }
 
 // Squares that vanish (1e-170) or overflow (1e160), and both in one set.
-void check_scale(std::uint64_t seed, double scale, bool mixed) {
+void check_scale(uint64_t seed, double scale, bool mixed) {
   Rng rng(seed);
   hg_grid_def def = hg_default_grid_def();
   def.dimension = rng.integer(2, 3);
   Particles particles;
   particles.dimension = def.dimension;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 60; i++) {
     const double unit = mixed && rng.chance(0.5) ? 1 / scale : scale;
     double x[3];
     for (double &coordinate : x) coordinate = rng.uniform(-3, 3) * unit;
@@ -45,23 +45,23 @@ void check_scale(std::uint64_t seed, double scale, bool mixed) {
 void squares_under_and_overflow(void **) {
   bool all = true;
   for (const double scale : {1e-170, 1e160, 1e-300, 1e300, 1e-320}) {
-    for (std::uint64_t seed = 0; seed < 15; ++seed) {
-      all &= holds(seed, [=](std::uint64_t s) { check_scale(s, scale, false); });
-      if (scale != 1e-320) all &= holds(seed, [=](std::uint64_t s) { check_scale(s, scale, true); });
+    for (uint64_t seed = 0; seed < 15; seed++) {
+      all &= holds(seed, [=](uint64_t s) { check_scale(s, scale, false); });
+      if (scale != 1e-320) all &= holds(seed, [=](uint64_t s) { check_scale(s, scale, true); });
     }
   }
   assert_true(all);
 }
 
 // Some coordinates equal and enormous, the others ordinary: the extent is small, the offset is not.
-void check_plane(std::uint64_t seed) {
+void check_plane(uint64_t seed) {
   constexpr double kOffsets[] = {1e300, -1e300, 0x1p1023, 1e150, -1e16};
   Rng rng(seed);
   hg_grid_def def = hg_default_grid_def();
   Particles particles;
   const double offset = kOffsets[seed % 5];
   const double unit = seed % 2 == 0 ? 1 : 1e-9;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 60; i++) {
     const double x[3] = {offset, rng.uniform(0, 6) * unit, seed % 3 == 0 ? offset : rng.uniform(0, 6) * unit};
     particles.add(x, rng.uniform(0, 1) * unit);
   }
@@ -70,7 +70,7 @@ void check_plane(std::uint64_t seed) {
 void enormous_offsets(void **) { assert_true(sweep(60, check_plane)); }
 
 // A single particle, or a few at one place, at the edge of the range; the others near the origin or nowhere.
-void check_lonely(std::uint64_t seed) {
+void check_lonely(uint64_t seed) {
   constexpr double kPlaces[] = {1e300, -1e300, 0x1.fffffffffffffp1023, 0x1p-1074};
   constexpr double kRadii[] = {1e-9, 0, 0x1p-1074, 1, 1e300};
   Rng rng(seed);
@@ -78,9 +78,9 @@ void check_lonely(std::uint64_t seed) {
   Particles particles;
   const double far[3] = {kPlaces[rng.below(4)], kPlaces[rng.below(4)], kPlaces[rng.below(4)]};
   const int copies = rng.integer(1, 3);
-  for (int i = 0; i < copies; ++i) particles.add(far, kRadii[rng.below(5)]);
+  for (int i = 0; i < copies; i++) particles.add(far, kRadii[rng.below(5)]);
   const int others = rng.integer(0, 2) * 20;
-  for (int i = 0; i < others; ++i) {
+  for (int i = 0; i < others; i++) {
     const double x[3] = {rng.uniform(0, 1e-8), rng.uniform(0, 1e-8), rng.uniform(0, 1e-8)};
     particles.add(x, kRadii[rng.below(3)]);
   }
@@ -90,7 +90,7 @@ void lonely_at_the_edge(void **) { assert_true(sweep(120, check_lonely)); }
 
 // A box of length 1 at 2^e: coordinates in it are multiples of 2^(e - 52), those far below it are finer. Pairs touch up
 // to a few of these, in the box and through its faces.
-void check_far_box(std::uint64_t seed) {
+void check_far_box(uint64_t seed) {
   Rng rng(seed);
   hg_grid_def def = hg_default_grid_def();
   def.thread_count = 1;
@@ -102,7 +102,7 @@ void check_far_box(std::uint64_t seed) {
   def.box_max[0] = start + 1;
   const int spread = rng.integer(2, 12);
   Particles particles;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 40; i++) {
     const double s = std::ldexp(1, -rng.integer(4, 10)) - rng.integer(-2, 2) * quantum / 2;
     const double y = 4.0 * i;
     const double low[3] = {start + rng.integer(-spread, spread) * quantum * 0.5, y, 0};
@@ -117,7 +117,7 @@ void boxes_far_from_the_origin(void **) { assert_true(sweep(400, check_far_box))
 
 // A box that is shorter than two reaches by less than its rounded length shows: refused, or handled fully.
 void box_short_by_less_than_rounding(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     hg_grid_def def = hg_default_grid_def();
     def.periodic[0] = 1;
     def.box_min[0] = 0x1p-55;
@@ -137,7 +137,7 @@ void box_short_by_less_than_rounding(void **) {
 
 // A reach that is no double: refused, and the grid stays usable.
 void reach_overflows(void **) {
-  assert_true(holds(0, [](std::uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     const Grid grid = make_grid(hg_default_grid_def());
     const double centers[6] = {0, 0, 0, 1, 0, 0};
     const double huge[2] = {1e308, 1};

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contact histories against a std::map from pairs to places, through lists that grow, shrink, change their order, take
 // ids from anywhere, and sometimes hold a pair twice.
-#include "compare.hpp"
-#include "frame.h"
-#include "rng.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/rng.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -18,7 +18,7 @@ namespace {
 using namespace hgtest;
 
 using List = std::vector<hg_pair>;
-using Places = std::map<std::pair<std::int32_t, std::int32_t>, std::int64_t>;
+using Places = std::map<std::pair<int32_t, int32_t>, int64_t>;
 
 struct DestroyHistory {
   void operator()(hg_history *history) const { hg_history_destroy(history); }
@@ -26,22 +26,22 @@ struct DestroyHistory {
 
 Places places_of(const List &pairs) {
   Places places;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    places.insert({{pairs[k].a, pairs[k].b}, static_cast<std::int64_t>(k)});
+  for (size_t k = 0; k < pairs.size(); k++) {
+    places.insert({{pairs[k].a, pairs[k].b}, static_cast<int64_t>(k)});
   }
   return places;
 }
 
 class Walk {
  public:
-  explicit Walk(std::uint64_t seed) : rng_(seed), id_bits_(rng_.integer(4, 32)), hub_(rng_.chance(0.2)) {
+  explicit Walk(uint64_t seed) : rng_(seed), id_bits_(rng_.integer(4, 32)), hub_(rng_.chance(0.2)) {
     hg_history *made = nullptr;
     require_ok(hg_history_create(&made), "hg_history_create");
     history_.reset(made);
   }
 
   void run(int steps) {
-    for (int step = 0; step < steps; ++step) {
+    for (int step = 0; step < steps; step++) {
       change();
       const int action = rng_.integer(0, 19);
       if (action == 0) {
@@ -57,7 +57,7 @@ class Walk {
   }
 
  private:
-  std::int32_t any_id() { return static_cast<std::int32_t>(rng_.next() >> (64 - id_bits_)); }
+  int32_t any_id() { return static_cast<int32_t>(rng_.next() >> (64 - id_bits_)); }
   hg_pair any_pair() { return {hub_ && rng_.chance(0.7) ? 7 : any_id(), any_id()}; }
 
   // The next list: that of the last step with some pairs gone, some new, parts of it moved, or all mixed up.
@@ -72,26 +72,26 @@ class Walk {
       if (!rng_.chance(gone)) append(pair);
       if (rng_.chance(fresh)) append(any_pair());
     }
-    for (int k = rng_.integer(0, last_.size() < 100 ? 200 : 5); k > 0; --k) append(any_pair());
+    for (int k = rng_.integer(0, last_.size() < 100 ? 200 : 5); k > 0; k--) append(any_pair());
     if (rng_.chance(0.3)) {
-      const auto middle = next_.begin() + static_cast<std::ptrdiff_t>(rng_.below(next_.size() + 1));
+      const auto middle = next_.begin() + static_cast<ptrdiff_t>(rng_.below(next_.size() + 1));
       std::rotate(next_.begin(), middle, next_.end());
     }
     if (rng_.chance(0.3)) {
-      for (std::size_t k = next_.size(); k > 1; --k) std::swap(next_[k - 1], next_[rng_.below(k)]);
+      for (size_t k = next_.size(); k > 1; k--) std::swap(next_[k - 1], next_[rng_.below(k)]);
     }
   }
 
   void update() {
     const Places places = places_of(last_);
-    const std::int64_t *previous = nullptr;
+    const int64_t *previous = nullptr;
     require_ok(hg_history_update(history_.get(), next_.size(), next_.data(), &previous), "hg_history_update");
-    std::vector<std::int64_t> old_items(last_.size()), items(next_.size(), -1);
-    for (std::size_t k = 0; k < last_.size(); ++k) old_items[k] = static_cast<std::int64_t>(k) + 1;
+    std::vector<int64_t> old_items(last_.size()), items(next_.size(), -1);
+    for (size_t k = 0; k < last_.size(); k++) old_items[k] = static_cast<int64_t>(k) + 1;
     require_ok(hg_history_carry(history_.get(), sizeof items[0], old_items.data(), items.data()), "hg_history_carry");
-    for (std::size_t k = 0; k < next_.size(); ++k) {
+    for (size_t k = 0; k < next_.size(); k++) {
       const auto found = places.find({next_[k].a, next_[k].b});
-      const std::int64_t expected = found == places.end() ? -1 : found->second;
+      const int64_t expected = found == places.end() ? -1 : found->second;
       require(previous[k] == expected, "pair " + std::to_string(k) + " was at " + std::to_string(previous[k]) +
                                            " instead of " + std::to_string(expected));
       require(items[k] == expected + 1, "item " + std::to_string(k) + " is " + std::to_string(items[k]));
@@ -115,13 +115,13 @@ class Walk {
   // One pair stands in the list once more, anywhere: the text names both places, and nothing changes.
   void refuse() {
     const hg_pair again = next_[rng_.below(next_.size())];
-    const std::size_t at = rng_.below(next_.size() + 1);
-    next_.insert(next_.begin() + static_cast<std::ptrdiff_t>(at), again);
-    std::vector<std::size_t> places;
-    for (std::size_t k = 0; k < next_.size(); ++k) {
+    const size_t at = rng_.below(next_.size() + 1);
+    next_.insert(next_.begin() + static_cast<ptrdiff_t>(at), again);
+    std::vector<size_t> places;
+    for (size_t k = 0; k < next_.size(); k++) {
       if (next_[k].a == again.a && next_[k].b == again.b) places.push_back(k);
     }
-    const std::int64_t *previous = nullptr;
+    const int64_t *previous = nullptr;
     const hg_status status = rng_.chance(0.5) ? hg_history_update(history_.get(), next_.size(), next_.data(), &previous)
                                               : hg_history_restore(history_.get(), next_.size(), next_.data());
     require(status == HG_ERR_ARGUMENT, "a pair that comes twice was not refused");
@@ -134,7 +134,7 @@ class Walk {
 
   void require_remembered() {
     const hg_pair *pairs = nullptr;
-    std::size_t count = 0;
+    size_t count = 0;
     require_ok(hg_history_pairs(history_.get(), &pairs, &count), "hg_history_pairs");
     require(count == last_.size() && (count == 0 || std::memcmp(pairs, last_.data(), count * sizeof *pairs) == 0),
             "another list is remembered");
@@ -149,8 +149,8 @@ class Walk {
 
 void any_lists(void **) {
   bool all = true;
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    all &= holds(seed, [](std::uint64_t s) { Walk(s).run(30); });
+  for (uint64_t seed = 0; seed < 300; seed++) {
+    all &= holds(seed, [](uint64_t s) { Walk(s).run(30); });
   }
   assert_true(all);
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All ways to ask one grid give the same answer: pairs in both orders, batches, neighbour lists, spheres; for any
 // number of threads, and again the same bytes.
-#include "compare.hpp"
-#include "frame.h"
-#include "scenes.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace hgtest;
 
-Scene draw(Rng &rng, std::size_t count) {
+Scene draw(Rng &rng, size_t count) {
   const int dimension = rng.integer(2, 3);
   const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
   Scene scene = rng.chance(0.5)
@@ -24,13 +24,13 @@ Scene draw(Rng &rng, std::size_t count) {
   return scene;
 }
 
-bool sweep(std::uint64_t rounds, void (*check)(std::uint64_t)) {
+bool sweep(uint64_t rounds, void (*check)(uint64_t)) {
   bool all = true;
-  for (std::uint64_t seed = 0; seed < rounds; ++seed) all &= holds(seed, check);
+  for (uint64_t seed = 0; seed < rounds; seed++) all &= holds(seed, check);
   return all;
 }
 
-std::int32_t collect(void *context, const hg_pair *pairs, std::size_t count) {
+int32_t collect(void *context, const hg_pair *pairs, size_t count) {
   Pairs *all = static_cast<Pairs *>(context);
   all->insert(all->end(), pairs, pairs + count);
   return 0;
@@ -42,12 +42,12 @@ Pairs visited(const Grid &grid) {
   return pairs;
 }
 
-void check_orders(std::uint64_t seed) {
+void check_orders(uint64_t seed) {
   Rng rng(seed);
   Scene scene = draw(rng, rng.below(200));
   const Pairs expected = all_pairs(scene.def, scene.particles, exact_interact);
   Pairs in_grid_order;
-  for (std::int32_t threads = 1; threads <= 4; ++threads) {
+  for (int32_t threads = 1; threads <= 4; threads++) {
     scene.def.thread_count = threads;
     scene.def.pair_order = HG_ORDER_ID;
     const Grid by_id = make_grid(scene.def, scene.particles);
@@ -66,14 +66,14 @@ void check_orders(std::uint64_t seed) {
 void orders_threads_and_repeats(void **) { assert_true(sweep(150, check_orders)); }
 
 // Enough particles that threads have work to share.
-void check_large(std::uint64_t seed) {
+void check_large(uint64_t seed) {
   Rng rng(seed);
   const Sizes sizes = static_cast<Sizes>(seed % kSizesCount);
   Scene scene =
       seed % 2 == 0 ? periodic_scene(rng, 3, 5, 5000, sizes) : open_scene(rng, 3, 5000, sizes, Places::kUniform);
   const Pairs expected = all_pairs(scene.def, scene.particles, exact_interact);
   Pairs with_one_thread;
-  for (std::int32_t threads : {1, 2, 3, 8}) {
+  for (int32_t threads : {1, 2, 3, 8}) {
     scene.def.thread_count = threads;
     const Grid grid = make_grid(scene.def, scene.particles);
     const Pairs pairs = pairs_of(grid);
@@ -86,15 +86,15 @@ void check_large(std::uint64_t seed) {
 void large_sets(void **) { assert_true(sweep(kSizesCount, check_large)); }
 
 // The lists hold row k's neighbours as ids; both kinds are rebuilt into pairs here.
-Pairs pairs_from_lists(const Grid &grid, const hg_grid_def &def, std::size_t count, std::int32_t list) {
-  const std::int64_t *offsets = nullptr;
-  const std::int32_t *neighbors = nullptr;
+Pairs pairs_from_lists(const Grid &grid, const hg_grid_def &def, size_t count, int32_t list) {
+  const int64_t *offsets = nullptr;
+  const int32_t *neighbors = nullptr;
   require_ok(hg_query_neighbors(grid.get(), list, &offsets, &neighbors), "hg_query_neighbors");
   require(offsets[0] == 0, "offsets do not start at 0");
   Pairs pairs;
-  for (std::size_t row = 0; row < count; ++row) {
-    const std::int32_t id = static_cast<std::int32_t>(row) + def.index_base;
-    for (std::int64_t k = offsets[row]; k < offsets[row + 1]; ++k) {
+  for (size_t row = 0; row < count; row++) {
+    const int32_t id = static_cast<int32_t>(row) + def.index_base;
+    for (int64_t k = offsets[row]; k < offsets[row + 1]; k++) {
       require(k == offsets[row] || neighbors[k - 1] < neighbors[k], "a row does not ascend");
       pairs.push_back({id, neighbors[k]});
     }
@@ -102,7 +102,7 @@ Pairs pairs_from_lists(const Grid &grid, const hg_grid_def &def, std::size_t cou
   return pairs;
 }
 
-void check_neighbors(std::uint64_t seed) {
+void check_neighbors(uint64_t seed) {
   Rng rng(seed);
   const Scene scene = draw(rng, rng.below(250));
   const Grid grid = make_grid(scene.def, scene.particles);
@@ -115,52 +115,52 @@ void check_neighbors(std::uint64_t seed) {
 void neighbour_lists(void **) { assert_true(sweep(250, check_neighbors)); }
 
 // Spheres at and between the particles, from points to larger than everything.
-void check_spheres(std::uint64_t seed) {
+void check_spheres(uint64_t seed) {
   Rng rng(seed);
   Scene scene = draw(rng, 1 + rng.below(200));
   scene.def.accuracy = rng.chance(0.7) ? HG_EXACT : HG_DOUBLE;
   Interact *interact = scene.def.accuracy == HG_EXACT ? exact_interact : double_interact;
   const Grid grid = make_grid(scene.def, scene.particles);
-  const std::size_t count = scene.particles.size();
-  for (int k = 0; k < 12; ++k) {
+  const size_t count = scene.particles.size();
+  for (int k = 0; k < 12; k++) {
     double center[3];
     const double *a = scene.particles.center(rng.below(count));
     const double *b = scene.particles.center(rng.below(count));
     const double t = rng.chance(0.5) ? 0 : rng.uniform();
-    for (int axis = 0; axis < scene.particles.dimension; ++axis) center[axis] = a[axis] + t * (b[axis] - a[axis]);
+    for (int axis = 0; axis < scene.particles.dimension; axis++) center[axis] = a[axis] + t * (b[axis] - a[axis]);
     const double radius =
         rng.chance(0.3) ? 0 : scene.particles.radii[rng.below(count)] * std::pow(10, rng.uniform(-2, 3));
-    const std::int32_t *ids = nullptr;
-    std::size_t found = 0;
+    const int32_t *ids = nullptr;
+    size_t found = 0;
     require_ok(hg_query_sphere(grid.get(), center, radius, &ids, &found), "hg_query_sphere");
-    require_same(scene.name.c_str(), std::vector<std::int32_t>(ids, ids + found),
+    require_same(scene.name.c_str(), std::vector<int32_t>(ids, ids + found),
                  all_in_sphere(scene.def, scene.particles, {center, radius}, interact));
   }
 }
 void spheres(void **) { assert_true(sweep(400, check_spheres)); }
 
 // The order of the input and of the axes is of no matter to the set of pairs, nor is a power of two in all lengths.
-void check_symmetry(std::uint64_t seed) {
+void check_symmetry(uint64_t seed) {
   Rng rng(seed);
   const Scene scene = open_scene(rng, 3, rng.below(250), static_cast<Sizes>(rng.below(kSizesCount)), Places::kUniform);
-  const std::size_t count = scene.particles.size();
+  const size_t count = scene.particles.size();
   const Pairs expected = sorted_pairs_of(make_grid(scene.def, scene.particles));
-  std::vector<std::size_t> source(count);
+  std::vector<size_t> source(count);
   std::iota(source.begin(), source.end(), 0);
-  for (std::size_t i = count; i > 1; --i) std::swap(source[i - 1], source[rng.below(i)]);
+  for (size_t i = count; i > 1; i--) std::swap(source[i - 1], source[rng.below(i)]);
   const double scale = std::ldexp(1, rng.integer(-200, 200));
   hg_grid_def def = scene.def;
   def.margin *= scale;
   Particles shuffled;
-  for (std::size_t i : source) {
+  for (size_t i : source) {
     const double *x = scene.particles.center(i);
     const double turned[3] = {x[1] * scale, -x[2] * scale, x[0] * scale};
     shuffled.add(turned, scene.particles.radii[i] * scale);
   }
   Pairs back = pairs_of(make_grid(def, shuffled));
   for (hg_pair &pair : back) {
-    const std::int32_t a = static_cast<std::int32_t>(source[static_cast<std::size_t>(pair.a - def.index_base)]);
-    const std::int32_t b = static_cast<std::int32_t>(source[static_cast<std::size_t>(pair.b - def.index_base)]);
+    const int32_t a = static_cast<int32_t>(source[static_cast<size_t>(pair.a - def.index_base)]);
+    const int32_t b = static_cast<int32_t>(source[static_cast<size_t>(pair.b - def.index_base)]);
     pair = {std::min(a, b) + def.index_base, std::max(a, b) + def.index_base};
   }
   require_same("shuffled, turned and scaled", sorted(back), expected);

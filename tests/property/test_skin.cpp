@@ -3,9 +3,9 @@
 // With a skin the pairs are those of a search without one, after every step of any motion: small and large steps,
 // growing and shrinking radii, steps of just half the skin, faces of periodic boxes. Neighbours, visits and spheres
 // agree with them.
-#include "compare.hpp"
-#include "frame.h"
-#include "scenes.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ constexpr int kMotionCount = static_cast<int>(Motion::kJump) + 1;
 // One scene that moves, and a grid with a skin that follows it.
 class Run {
  public:
-  Run(std::uint64_t seed, double skin_share) : rng_(seed), scene_(draw(rng_)) {
+  Run(uint64_t seed, double skin_share) : rng_(seed), scene_(draw(rng_)) {
     double mean = 0;
     for (const double r : scene_.particles.radii) mean += r / static_cast<double>(scene_.particles.size());
     scene_.def.skin = skin_share * mean;
@@ -31,7 +31,7 @@ class Run {
 
   void steps(int count) {
     compare();
-    for (int step = 0; step < count; ++step) {
+    for (int step = 0; step < count; step++) {
       move(static_cast<Motion>(rng_.below(kMotionCount)));
       compare();
     }
@@ -47,7 +47,7 @@ class Run {
   static Scene draw(Rng &rng) {
     const int dimension = rng.integer(2, 3);
     const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
-    const std::size_t count = 1 + rng.below(150);
+    const size_t count = 1 + rng.below(150);
     Scene scene = rng.chance(0.5)
                       ? periodic_scene(rng, dimension, rng.integer(1, (1 << dimension) - 1), count, sizes)
                       : open_scene(rng, dimension, count, sizes, static_cast<Places>(rng.below(kPlacesCount)));
@@ -57,13 +57,13 @@ class Run {
     return scene;
   }
 
-  double *center(std::size_t i) { return &scene_.particles.centers[i * dimension()]; }
-  std::size_t dimension() const { return static_cast<std::size_t>(scene_.particles.dimension); }
+  double *center(size_t i) { return &scene_.particles.centers[i * dimension()]; }
+  size_t dimension() const { return static_cast<size_t>(scene_.particles.dimension); }
 
   void move(Motion motion) {
     Particles &p = scene_.particles;
     bool new_radii = rng_.chance(0.2);
-    for (std::size_t i = 0; i < p.size(); ++i) {
+    for (size_t i = 0; i < p.size(); i++) {
       switch (motion) {
         case Motion::kDrift:
           step(i, 0.3 * half_);
@@ -89,13 +89,13 @@ class Run {
     require_ok(hg_move(grid_.get(), p.size(), p.centers.data(), new_radii ? p.radii.data() : nullptr), "hg_move");
   }
 
-  void step(std::size_t i, double most) {
-    for (std::size_t k = 0; k < dimension(); ++k) center(i)[k] += rng_.uniform(-most, most) / 2;
+  void step(size_t i, double most) {
+    for (size_t k = 0; k < dimension(); k++) center(i)[k] += rng_.uniform(-most, most) / 2;
   }
 
   // The same place, some box lengths away, as far as doubles tell it.
-  void wrap(std::size_t i) {
-    for (std::size_t k = 0; k < dimension(); ++k) {
+  void wrap(size_t i) {
+    for (size_t k = 0; k < dimension(); k++) {
       if (scene_.def.periodic[k] == 0 || !rng_.chance(0.3)) continue;
       center(i)[k] += rng_.integer(-2, 2) * (scene_.def.box_max[k] - scene_.def.box_min[k]);
     }
@@ -115,37 +115,37 @@ class Run {
 
   void compare_visit(const Pairs &expected) {
     Pairs visited;
-    const auto keep = [](void *context, const hg_pair *pairs, std::size_t count) {
+    const auto keep = [](void *context, const hg_pair *pairs, size_t count) {
       auto *to = static_cast<Pairs *>(context);
       to->insert(to->end(), pairs, pairs + count);
-      return std::int32_t{0};
+      return int32_t{0};
     };
     require_ok(hg_visit_pairs(grid_.get(), keep, &visited), "hg_visit_pairs");
     require_same((scene_.name + ", visited").c_str(), sorted(visited), expected);
   }
 
   void compare_neighbors(const Pairs &expected) {
-    const std::int64_t *offsets = nullptr;
-    const std::int32_t *neighbors = nullptr;
+    const int64_t *offsets = nullptr;
+    const int32_t *neighbors = nullptr;
     require_ok(hg_query_neighbors(grid_.get(), HG_HALF, &offsets, &neighbors), "hg_query_neighbors");
     Pairs pairs;
-    for (std::size_t i = 0; i < scene_.particles.size(); ++i) {
-      for (std::int64_t n = offsets[i]; n < offsets[i + 1]; ++n) {
-        pairs.push_back({static_cast<std::int32_t>(i) + scene_.def.index_base, neighbors[n]});
+    for (size_t i = 0; i < scene_.particles.size(); i++) {
+      for (int64_t n = offsets[i]; n < offsets[i + 1]; n++) {
+        pairs.push_back({static_cast<int32_t>(i) + scene_.def.index_base, neighbors[n]});
       }
     }
     require_same((scene_.name + ", neighbours").c_str(), pairs, expected);
   }
 
   void compare_sphere(bool by_double) {
-    const std::size_t near = rng_.below(scene_.particles.size());
+    const size_t near = rng_.below(scene_.particles.size());
     double at[3];
-    for (std::size_t k = 0; k < dimension(); ++k) at[k] = center(near)[k] + rng_.uniform(-1, 1) * largest_;
+    for (size_t k = 0; k < dimension(); k++) at[k] = center(near)[k] + rng_.uniform(-1, 1) * largest_;
     const Sphere sphere = {at, rng_.uniform(0, 2) * largest_};
-    const std::int32_t *ids = nullptr;
-    std::size_t count = 0;
+    const int32_t *ids = nullptr;
+    size_t count = 0;
     require_ok(hg_query_sphere(grid_.get(), at, sphere.radius, &ids, &count), "hg_query_sphere");
-    require_same((scene_.name + ", sphere").c_str(), std::vector<std::int32_t>(ids, ids + count),
+    require_same((scene_.name + ", sphere").c_str(), std::vector<int32_t>(ids, ids + count),
                  all_in_sphere(scene_.def, scene_.particles, sphere, by_double ? double_interact : exact_interact));
   }
 
@@ -156,9 +156,9 @@ class Run {
   Grid grid_;
 };
 
-std::int64_t filtered = 0, searched = 0;
+int64_t filtered = 0, searched = 0;
 
-void check_steps(std::uint64_t seed) {
+void check_steps(uint64_t seed) {
   constexpr double kShares[] = {1e-6, 0.02, 0.3, 1, 10, 1e6, 1e300};
   Run run(seed, kShares[seed % 7]);
   run.steps(8);
@@ -168,7 +168,7 @@ void check_steps(std::uint64_t seed) {
 
 void same_pairs_after_any_step(void **) {
   bool all = true;
-  for (std::uint64_t seed = 0; seed < 700; ++seed) all &= holds(seed, check_steps);
+  for (uint64_t seed = 0; seed < 700; seed++) all &= holds(seed, check_steps);
   assert_true(all);
   // Both ways of answering must have been tried.
   assert_true(filtered > 500);
@@ -177,25 +177,25 @@ void same_pairs_after_any_step(void **) {
 
 // A box a few units long, 2^30 from the origin, where steps are multiples of the coordinates' last digit; and pairs
 // that come to touch exactly.
-void check_coarse_places(std::uint64_t seed) {
+void check_coarse_places(uint64_t seed) {
   Rng rng(seed);
   hg_grid_def def = hg_default_grid_def();
   def.dimension = 2;
   def.skin = 0.5;
   const double unit = 0x1p-22, corner = 0x1p30;
-  for (int k = 0; k < 2; ++k) {
+  for (int k = 0; k < 2; k++) {
     def.periodic[k] = 1;
     def.box_min[k] = corner;
     def.box_max[k] = corner + 8;
   }
   Particles particles;
   particles.dimension = 2;
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 30; i++) {
     const double x[2] = {corner + rng.integer(0, 32) * 0.25, corner + rng.integer(0, 32) * 0.25};
     particles.add(x, 0.25 * rng.integer(0, 4));
   }
   const Grid grid = make_grid(def, particles);
-  for (int step = 0; step < 6; ++step) {
+  for (int step = 0; step < 6; step++) {
     require_same("coarse places", sorted_pairs_of(grid), all_pairs(def, particles, exact_interact));
     for (double &x : particles.centers) x += rng.integer(-1, 1) * (rng.chance(0.5) ? unit : 0.0625);
     require_ok(hg_move(grid.get(), particles.size(), particles.centers.data(), nullptr), "hg_move");
@@ -203,7 +203,7 @@ void check_coarse_places(std::uint64_t seed) {
 }
 void coarse_places(void **) {
   bool all = true;
-  for (std::uint64_t seed = 0; seed < 100; ++seed) all &= holds(seed, check_coarse_places);
+  for (uint64_t seed = 0; seed < 100; seed++) all &= holds(seed, check_coarse_places);
   assert_true(all);
 }
 
@@ -214,7 +214,7 @@ Pairs after_steps(const Scene &start, double step, int threads, int steps) {
   Particles particles = start.particles;
   Rng rng(7);
   Pairs all = pairs_of(grid);
-  for (int k = 0; k < steps; ++k) {
+  for (int k = 0; k < steps; k++) {
     for (double &x : particles.centers) x += rng.uniform(-step, step);
     require_ok(hg_move(grid.get(), particles.size(), particles.centers.data(), nullptr), "hg_move");
     const Pairs pairs = pairs_of(grid);
@@ -225,7 +225,7 @@ Pairs after_steps(const Scene &start, double step, int threads, int steps) {
 
 // The list, its order included, does not depend on the threads.
 void order_for_any_number_of_threads(void **) {
-  const bool all = holds(5, [](std::uint64_t seed) {
+  const bool all = holds(5, [](uint64_t seed) {
     Rng rng(seed);
     Scene scene = periodic_scene(rng, 3, 5, 22000, Sizes::kUniformVolume);
     scene.def.pair_order = HG_ORDER_GRID;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Comparisons of what a grid returns with what it must.
-#include "compare.hpp"
+#include "tests/support/compare.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -41,7 +41,7 @@ void require_same(const char *what, const Pairs &got, const Pairs &expected) {
                 "; too many: " + first_of(lacking(ascending, expected)));
 }
 
-void require_same(const char *what, const std::vector<std::int32_t> &got, const std::vector<std::int32_t> &expected) {
+void require_same(const char *what, const std::vector<int32_t> &got, const std::vector<int32_t> &expected) {
   if (got == expected) return;
   const auto at = std::mismatch(got.begin(), got.end(), expected.begin(), expected.end());
   throw Failure(std::string(what) + ": " + std::to_string(got.size()) + " ids, expected " +
@@ -63,7 +63,7 @@ Grid make_grid(const hg_grid_def &def, const Particles &particles) {
 
 Pairs pairs_of(const Grid &grid) {
   const hg_pair *pairs = nullptr;
-  std::size_t count = 0;
+  size_t count = 0;
   require_ok(hg_query_pairs(grid.get(), &pairs, &count), "hg_query_pairs");
   return Pairs(pairs, pairs + count);
 }
@@ -75,7 +75,7 @@ Pairs sorted(Pairs pairs) {
 
 Pairs sorted_pairs_of(const Grid &grid) { return sorted(pairs_of(grid)); }
 
-void report(std::uint64_t seed, const char *text) {
+void report(uint64_t seed, const char *text) {
   std::fprintf(stderr, "seed %llu: %s\n", static_cast<unsigned long long>(seed), text);
 }
 

@@ -4,10 +4,9 @@
 //
 // cmocka leaves a failed assertion by longjmp, which skips destructors. Checks therefore run inside holds(), which
 // turns a Failure into a message with the seed and a plain bool for assert_true.
-#ifndef HGTEST_COMPARE_HPP
-#define HGTEST_COMPARE_HPP
+#pragma once
 
-#include "oracle.hpp"
+#include "tests/support/oracle.hpp"
 
 #include <memory>
 #include <stdexcept>
@@ -23,7 +22,7 @@ class Failure : public std::runtime_error {
 void require(bool condition, const std::string &what);
 void require_ok(hg_status status, const char *call);
 void require_same(const char *what, const Pairs &got, const Pairs &expected);
-void require_same(const char *what, const std::vector<std::int32_t> &got, const std::vector<std::int32_t> &expected);
+void require_same(const char *what, const std::vector<int32_t> &got, const std::vector<int32_t> &expected);
 
 struct DestroyGrid {
   void operator()(hg_grid *grid) const { hg_destroy(grid); }
@@ -39,9 +38,9 @@ Pairs sorted_pairs_of(const Grid &grid);
 Pairs sorted(Pairs pairs);
 
 // Prints the seed and the text of the Failure; true if there was none.
-void report(std::uint64_t seed, const char *text);
+void report(uint64_t seed, const char *text);
 template <class Check>
-bool holds(std::uint64_t seed, Check check) {
+bool holds(uint64_t seed, Check check) {
   try {
     check(seed);
     return true;
@@ -52,5 +51,3 @@ bool holds(std::uint64_t seed, Check check) {
 }
 
 }  // namespace hgtest
-
-#endif

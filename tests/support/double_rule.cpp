@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The expression in doubles that HG_DOUBLE promises, written out once more.
 // It must be compiled without contraction, as all of the project is (-ffp-contract=off).
-#include "oracle.hpp"
+#include "tests/support/oracle.hpp"
 
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace hgtest {
 
 bool double_interact(const hg_grid_def &def, const Sphere &a, const Sphere &b) {
   double d[3] = {0, 0, 0};
-  for (int k = 0; k < def.dimension; ++k) {
+  for (int k = 0; k < def.dimension; k++) {
     d[k] = a.center[k] - b.center[k];
     if (def.periodic[k] != 0) {
       const double length = def.box_max[k] - def.box_min[k];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether two particles interact, decided in rational numbers.
-#include "oracle.hpp"
+#include "tests/support/oracle.hpp"
 
 #include <gmpxx.h>
 
@@ -20,7 +20,7 @@ mpz_class nearest_integer(const mpq_class &x) {
 
 mpq_class exact_squared_distance(const hg_grid_def &def, const double *a, const double *b) {
   mpq_class sum = 0;
-  for (int k = 0; k < def.dimension; ++k) {
+  for (int k = 0; k < def.dimension; k++) {
     mpq_class d = mpq_class(a[k]) - mpq_class(b[k]);
     if (def.periodic[k] != 0) {
       const mpq_class length = mpq_class(def.box_max[k]) - mpq_class(def.box_min[k]);
@@ -52,7 +52,7 @@ Verdict clear_verdict(const hg_grid_def &def, const Sphere &a, const Sphere &b) 
   constexpr double kFold = 16 * 0x1p-53;
   double distance2 = 0;
   double slack = 0;
-  for (int k = 0; k < def.dimension; ++k) {
+  for (int k = 0; k < def.dimension; k++) {
     double d = a.center[k] - b.center[k];
     if (def.periodic[k] != 0) {
       const double length = def.box_max[k] - def.box_min[k];

@@ -2,9 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* Books are kept under a lock: worker threads of a grid may ask for memory too. */
-#include "failing_alloc.h"
+#include "tests/support/failing_alloc.h"
 
-#include "fixture.h"
+#include "tests/support/fixture.h"
 
 #include <pthread.h>
 #include <stdlib.h>

@@ -2,8 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* An allocator for hg_set_allocator that keeps the books and can refuse a chosen allocation. */
-#ifndef HGTEST_FAILING_ALLOC_H
-#define HGTEST_FAILING_ALLOC_H
+#pragma once
 
 #include <hgrid/hgrid.h>
 
@@ -43,5 +42,3 @@ typedef struct alloc_scenario {
 } alloc_scenario;
 
 long long refuse_each_allocation(const alloc_scenario *scenario);
-
-#endif

@@ -2,7 +2,7 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* Grids with a known answer and assertions for the tests of the C interface. */
-#include "fixture.h"
+#include "tests/support/fixture.h"
 
 #include <ctype.h>
 #include <stdlib.h>

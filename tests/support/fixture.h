@@ -3,10 +3,9 @@
 
 /* What all tests of the C interface start from: cmocka, grids with a known answer, and assertions on statuses, texts
  * and pairs. */
-#ifndef HGTEST_FIXTURE_H
-#define HGTEST_FIXTURE_H
+#pragma once
 
-#include "frame.h"
+#include "tests/support/frame.h"
 
 #include <hgrid/hgrid.h>
 
@@ -52,5 +51,3 @@ void assert_refused_in_visitor(hg_status (*again)(hg_grid *grid));
 /* NaN and infinity without the help of the compiler's flags. */
 double not_a_number(void);
 double infinity(void);
-
-#endif

@@ -3,8 +3,7 @@
 
 /* cmocka, after the four headers that it expects before it (hence no sorting of includes here). Its version 1.1.5
  * does not declare itself as C for C++. */
-#ifndef HGTEST_FRAME_H
-#define HGTEST_FRAME_H
+#pragma once
 
 /* clang-format off */
 #include <setjmp.h>
@@ -19,5 +18,3 @@ extern "C" {
 }
 #endif
 /* clang-format on */
-
-#endif

@@ -1,6 +1,6 @@
 /* SPDX-FileCopyrightText: The libhgrid developers
  * SPDX-License-Identifier: BSD-3-Clause */
-#include "history_fixture.h"
+#include "tests/support/history_fixture.h"
 
 /* Two pairs stay, the other way round; (7, 9) is not (9, 7). */
 const hg_pair kBefore[BEFORE_COUNT] = {{1, 2}, {7, 9}, {3, 4}, {2147483647, -2147483647 - 1}};

@@ -2,10 +2,9 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* What the tests of contact histories start from: one that has matched a list to another, and what it must then say. */
-#ifndef HGTEST_HISTORY_FIXTURE_H
-#define HGTEST_HISTORY_FIXTURE_H
+#pragma once
 
-#include "fixture.h"
+#include "tests/support/fixture.h"
 
 /* A history that has seen `kBefore`, then `kAfter`. */
 enum { BEFORE_COUNT = 4, AFTER_COUNT = 5 };
@@ -23,5 +22,3 @@ void assert_remembers(const hg_history *history, const hg_pair *pairs, size_t co
 
 /* hg_history_update with this list says that its pairs were at these places. */
 void assert_update(hg_history *history, const hg_pair *pairs, size_t count, const int64_t *expected);
-
-#endif

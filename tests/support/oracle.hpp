@@ -4,8 +4,7 @@
 //
 // The rule (interaction, margin, periodic axes, dimension) is read from the definition of the grid; nothing else of
 // the library is used. The exact oracle decides in rational numbers; doubles only spare it the clear cases.
-#ifndef HGTEST_ORACLE_HPP
-#define HGTEST_ORACLE_HPP
+#pragma once
 
 #include <hgrid/hgrid.h>
 
@@ -20,10 +19,10 @@ struct Particles {
   std::vector<double> centers;  // [count][dimension]
   std::vector<double> radii;
 
-  std::size_t size() const { return radii.size(); }
-  const double *center(std::size_t i) const { return &centers[i * static_cast<std::size_t>(dimension)]; }
+  size_t size() const { return radii.size(); }
+  const double *center(size_t i) const { return &centers[i * static_cast<size_t>(dimension)]; }
   void add(const double *center, double radius) {
-    for (int k = 0; k < dimension; ++k) centers.push_back(center[k]);
+    for (int k = 0; k < dimension; k++) centers.push_back(center[k]);
     radii.push_back(radius);
   }
 };
@@ -49,12 +48,10 @@ inline bool pair_equal(const hg_pair &p, const hg_pair &q) { return p.a == q.a &
 // Pairs of rows of `particles` as ids (row + index_base), ascending.
 Pairs all_pairs(const hg_grid_def &def, const Particles &particles, Interact *interact);
 // The same with ids given, ascending.
-Pairs all_pairs(const hg_grid_def &def, const Particles &particles, const std::vector<std::int32_t> &ids,
+Pairs all_pairs(const hg_grid_def &def, const Particles &particles, const std::vector<int32_t> &ids,
                 Interact *interact);
 // Rows that interact with the sphere as ids (row + index_base), ascending.
-std::vector<std::int32_t> all_in_sphere(const hg_grid_def &def, const Particles &particles, const Sphere &sphere,
-                                        Interact *interact);
+std::vector<int32_t> all_in_sphere(const hg_grid_def &def, const Particles &particles, const Sphere &sphere,
+                                   Interact *interact);
 
 }  // namespace hgtest
-
-#endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Random scenes.
-#include "scenes.hpp"
+#include "tests/support/scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ Point draw_place(Rng &rng, Places places, double edge, const std::vector<Point> 
       break;
     case Places::kClusters:
     case Places::kFarOrigin:
-      for (int k = 0; k < 3; ++k) p.x[k] = group.x[k] + 0.6 * p.x[k];
+      for (int k = 0; k < 3; k++) p.x[k] = group.x[k] + 0.6 * p.x[k];
       break;
     case Places::kPlummer:
       p = plummer(rng, 0.5 * edge);
@@ -87,12 +87,12 @@ std::vector<Point> draw_groups(Rng &rng, Places places, double edge) {
   return groups;
 }
 
-Particles lattice(Rng &rng, int dimension, std::size_t count, double unit) {
+Particles lattice(Rng &rng, int dimension, size_t count, double unit) {
   Particles particles;
   particles.dimension = dimension;
   const double spacing = unit * (rng.chance(0.5) ? 1.0 : 0.1);  // 0.1 is not dyadic: touching up to rounding
   const int side = std::max(1, static_cast<int>(std::ceil(std::pow(static_cast<double>(count), 1.0 / dimension))));
-  for (std::size_t i = 0; i < count; ++i) {
+  for (size_t i = 0; i < count; i++) {
     const int at = static_cast<int>(i);
     const int c[3] = {at % side - side / 2, at / side % side - side / 2, at / side / side - side / 2};
     const double center[3] = {c[0] * spacing, c[1] * spacing, c[2] * spacing};
@@ -120,7 +120,7 @@ void draw_box(Rng &rng, Scene &scene, int axes) {
   const double edge = centers.empty() ? 1 : *std::max_element(centers.begin(), centers.end());
   const double shift = rng.chance(0.3) ? std::pow(10, rng.uniform(3, 9)) * edge : 0;
   const int long_axis = rng.chance(0.2) ? rng.integer(0, dimension - 1) : -1;
-  for (int k = 0; k < dimension; ++k) {
+  for (int k = 0; k < dimension; k++) {
     if ((axes >> k & 1) == 0) continue;
     const double length = std::max(rng.uniform(0.8, 1.2) * edge, shortest) * (k == long_axis ? 1e6 : 1);
     scene.def.periodic[k] = 1;
@@ -161,7 +161,7 @@ double draw_radius(Rng &rng, Sizes sizes, double largest) {
   return largest;
 }
 
-Particles draw_particles(Rng &rng, int dimension, std::size_t count, Sizes sizes, Places places) {
+Particles draw_particles(Rng &rng, int dimension, size_t count, Sizes sizes, Places places) {
   const double units[] = {1, 0.37, 1e-6, 3e4};
   const double unit = units[rng.below(4)];
   if (places == Places::kLattice) return lattice(rng, dimension, count, unit);
@@ -180,7 +180,7 @@ Particles draw_particles(Rng &rng, int dimension, std::size_t count, Sizes sizes
   return particles;
 }
 
-Scene open_scene(Rng &rng, int dimension, std::size_t count, Sizes sizes, Places places) {
+Scene open_scene(Rng &rng, int dimension, size_t count, Sizes sizes, Places places) {
   Scene scene;
   scene.particles = draw_particles(rng, dimension, count, sizes, places);
   draw_options(rng, scene);
@@ -194,14 +194,14 @@ double largest_reach(const hg_grid_def &def, const Particles &particles) {
   return (def.interaction == HG_MAX_RANGE ? largest : 2 * largest) + def.margin;
 }
 
-Scene periodic_scene(Rng &rng, int dimension, int axes, std::size_t count, Sizes sizes) {
+Scene periodic_scene(Rng &rng, int dimension, int axes, size_t count, Sizes sizes) {
   Scene scene;
   scene.particles = draw_particles(rng, dimension, count, sizes, Places::kUniform);
   draw_options(rng, scene);
   draw_box(rng, scene, axes);
-  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
-    for (int k = 0; k < dimension; ++k) {
-      double &x = scene.particles.centers[i * static_cast<std::size_t>(dimension) + static_cast<std::size_t>(k)];
+  for (size_t i = 0; i < scene.particles.size(); i++) {
+    for (int k = 0; k < dimension; k++) {
+      double &x = scene.particles.centers[i * static_cast<size_t>(dimension) + static_cast<size_t>(k)];
       const double length = scene.def.box_max[k] - scene.def.box_min[k];
       if (rng.chance(0.05)) x = rng.chance(0.5) ? scene.def.box_min[k] : scene.def.box_max[k];
       if (rng.chance(0.2)) x += rng.integer(-1000, 1000) * length;
@@ -227,7 +227,7 @@ void draw_levels(Rng &rng, Scene &scene) {
   if (!(widest > 0)) widest = 1;
   double cell = widest * (rng.chance(0.5) ? 1 + 0x1p-50 : rng.uniform(1, 3));
   const int count = rng.integer(1, 8);
-  for (int level = 0; level < count; ++level) {
+  for (int level = 0; level < count; level++) {
     scene.cell_sizes.insert(scene.cell_sizes.begin(), cell);
     cell *= rng.uniform(0.05, 0.95);
   }

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Random particle sets with their grid definitions: size laws, arrangements in space, options of the grid.
-#ifndef HGTEST_SCENES_HPP
-#define HGTEST_SCENES_HPP
+#pragma once
 
-#include "oracle.hpp"
-#include "rng.hpp"
+#include "tests/support/oracle.hpp"
+#include "tests/support/rng.hpp"
 
 #include <string>
 #include <vector>
@@ -46,13 +45,13 @@ struct Scene {
 double draw_radius(Rng &rng, Sizes sizes, double largest);
 
 // Particles with a few contacts each. The length unit is drawn too.
-Particles draw_particles(Rng &rng, int dimension, std::size_t count, Sizes sizes, Places places);
+Particles draw_particles(Rng &rng, int dimension, size_t count, Sizes sizes, Places places);
 
 // A scene on open axes with random threads, margin, interaction and index base.
-Scene open_scene(Rng &rng, int dimension, std::size_t count, Sizes sizes, Places places);
+Scene open_scene(Rng &rng, int dimension, size_t count, Sizes sizes, Places places);
 
 // A scene with the axes of the bit mask periodic; some particles lie many periods outside the box.
-Scene periodic_scene(Rng &rng, int dimension, int axes, std::size_t count, Sizes sizes);
+Scene periodic_scene(Rng &rng, int dimension, int axes, size_t count, Sizes sizes);
 
 // Any level rule; USER cells are random but large enough for the scene.
 void draw_levels(Rng &rng, Scene &scene);
@@ -61,5 +60,3 @@ void draw_levels(Rng &rng, Scene &scene);
 double largest_reach(const hg_grid_def &def, const Particles &particles);
 
 }  // namespace hgtest
-
-#endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Candidates of the oracle along one axis.
-#include "sweep.hpp"
+#include "tests/support/sweep.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +14,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Extent {
   double low, high;
-  std::size_t row;
+  size_t row;
 };
 
 // Partners have |dx| < r_i + r_j + margin for either interaction, so their extents, each with half the margin, overlap.
 // The two steps outwards make up for the two roundings.
-Extent extent_of(const hg_grid_def &def, const Particles &particles, std::size_t row) {
+Extent extent_of(const hg_grid_def &def, const Particles &particles, size_t row) {
   const double x = particles.center(row)[0];
   const double half = std::nextafter(particles.radii[row] + 0.5 * def.margin, kInfinity);
   return {std::nextafter(x - half, -kInfinity), std::nextafter(x + half, kInfinity), row};
@@ -29,15 +29,15 @@ Extent extent_of(const hg_grid_def &def, const Particles &particles, std::size_t
 
 Pairs swept_pairs(const hg_grid_def &def, const Particles &particles, Interact *interact) {
   std::vector<Extent> extents;
-  for (std::size_t row = 0; row < particles.size(); ++row) extents.push_back(extent_of(def, particles, row));
+  for (size_t row = 0; row < particles.size(); row++) extents.push_back(extent_of(def, particles, row));
   std::sort(extents.begin(), extents.end(), [](const Extent &a, const Extent &b) { return a.low < b.low; });
   Pairs pairs;
-  for (std::size_t i = 0; i < extents.size(); ++i) {
-    for (std::size_t j = i + 1; j < extents.size() && extents[j].low <= extents[i].high; ++j) {
-      const std::size_t a = std::min(extents[i].row, extents[j].row), b = std::max(extents[i].row, extents[j].row);
+  for (size_t i = 0; i < extents.size(); i++) {
+    for (size_t j = i + 1; j < extents.size() && extents[j].low <= extents[i].high; j++) {
+      const size_t a = std::min(extents[i].row, extents[j].row), b = std::max(extents[i].row, extents[j].row);
       if (!interact(def, {particles.center(a), particles.radii[a]}, {particles.center(b), particles.radii[b]}))
         continue;
-      pairs.push_back({static_cast<std::int32_t>(a) + def.index_base, static_cast<std::int32_t>(b) + def.index_base});
+      pairs.push_back({static_cast<int32_t>(a) + def.index_base, static_cast<int32_t>(b) + def.index_base});
     }
   }
   std::sort(pairs.begin(), pairs.end(), pair_less);

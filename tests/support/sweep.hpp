@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All pairs of a large open system, where a look at every pair takes too long: candidates are those whose extents
 // along x overlap, the verdict is the oracle's.
-#ifndef HGTEST_SWEEP_HPP
-#define HGTEST_SWEEP_HPP
+#pragma once
 
-#include "oracle.hpp"
+#include "tests/support/oracle.hpp"
 
 namespace hgtest {
 
@@ -13,5 +12,3 @@ namespace hgtest {
 Pairs swept_pairs(const hg_grid_def &def, const Particles &particles, Interact *interact);
 
 }  // namespace hgtest
-
-#endif

@@ -6,8 +6,8 @@
 // and only their verdict, a plain bool, is asserted.
 #pragma once
 
-#include "error.hpp"
-#include "rng.hpp"
+#include "src/base/error.hpp"
+#include "tests/support/rng.hpp"
 
 #include <cstdarg>
 #include <cstdint>
@@ -46,7 +46,7 @@ __attribute__((format(printf, 2, 3))) inline void require(bool condition, const 
 
 // Runs check(seed); false, with the reason printed, if it throws.
 template <class Check>
-bool holds(std::uint64_t seed, Check &&check) {
+bool holds(uint64_t seed, Check &&check) {
   try {
     check(seed);
     return true;
@@ -58,9 +58,9 @@ bool holds(std::uint64_t seed, Check &&check) {
 
 // Runs check with the seeds 0 .. rounds - 1; gives up after a few failures, which tell enough.
 template <class Check>
-bool sweep(std::uint64_t rounds, Check &&check) {
+bool sweep(uint64_t rounds, Check &&check) {
   int failures = 0;
-  for (std::uint64_t seed = 0; seed < rounds && failures < 5; seed++) failures += holds(seed, check) ? 0 : 1;
+  for (uint64_t seed = 0; seed < rounds && failures < 5; seed++) failures += holds(seed, check) ? 0 : 1;
   return failures == 0;
 }
 

@@ -3,9 +3,9 @@
 // A built index over random particles of many sizes, for tests of what searches it.
 #pragma once
 
-#include "index.hpp"
-#include "overlap.hpp"
-#include "rng.hpp"
+#include "src/exact/overlap.hpp"
+#include "src/index/index.hpp"
+#include "tests/support/rng.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +18,13 @@ struct CrowdShape {
   int dimension = 3;
   bool periodic = false;
   bool outlier = false;  // one particle far away, which makes levels sparse
-  std::size_t count = 0;
+  size_t count = 0;
   int threads = 1;  // to build with
 };
 
 class Crowd {
  public:
-  Crowd(std::uint64_t seed, hg::Memory &memory, const CrowdShape &shape)
+  Crowd(uint64_t seed, hg::Memory &memory, const CrowdShape &shape)
       : domain_(domain_of(shape)),
         index(memory),
         scratch_(memory),
@@ -33,7 +33,7 @@ class Crowd {
     Rng rng(seed);
     std::vector<double> centers, radii;
     const double edge = std::pow(static_cast<double>(shape.count), 1.0 / shape.dimension);
-    for (std::size_t i = 0; i < shape.count; i++) {
+    for (size_t i = 0; i < shape.count; i++) {
       for (int k = 0; k < shape.dimension; k++) centers.push_back(domain_.length[k] * rng.uniform());
       // No larger than a quarter of the box, as a periodic one allows.
       radii.push_back(std::min(0.3 / std::sqrt(1 - 0.99 * rng.uniform()) / edge, 0.24) * domain_.length[0]);

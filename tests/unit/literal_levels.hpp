@@ -10,7 +10,7 @@
 namespace hgtest {
 
 struct LiteralLevel {
-  std::size_t count;
+  size_t count;
   double cell_size;
 };
 
@@ -18,7 +18,7 @@ struct LiteralLevel {
 struct Filling {
   double edge;  // S
   int dimension;
-  double occupancy(std::size_t count, double s) const {
+  double occupancy(size_t count, double s) const {
     double cells = s / edge;
     for (int k = 1; k < dimension; k++) cells *= s / edge;
     return static_cast<double>(count) * cells;
@@ -27,8 +27,8 @@ struct Filling {
 
 inline std::vector<LiteralLevel> literal_levels(const std::vector<double> &r, const Filling &filling, double m) {
   std::vector<LiteralLevel> levels;
-  for (std::size_t a = 0; a < r.size();) {
-    std::size_t e = a;
+  for (size_t a = 0; a < r.size();) {
+    size_t e = a;
     while (e < r.size() && !(filling.occupancy(e - a + 1, 2 * r[e]) > m)) e++;
     if (e < r.size()) {
       while (e > 0 && r[e - 1] == r[e]) e--;  // equal radii are never split
@@ -52,8 +52,8 @@ struct LiteralCost {
 // Every value that m can usefully take: that of some run of particles, or 0.
 inline std::vector<double> all_occupancies(const std::vector<double> &r, const Filling &filling) {
   std::vector<double> values = {0};
-  for (std::size_t a = 0; a < r.size(); a++) {
-    for (std::size_t e = a; e < r.size(); e++) values.push_back(filling.occupancy(e - a + 1, 2 * r[e]));
+  for (size_t a = 0; a < r.size(); a++) {
+    for (size_t e = a; e < r.size(); e++) values.push_back(filling.occupancy(e - a + 1, 2 * r[e]));
   }
   std::sort(values.begin(), values.end());
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -61,10 +61,10 @@ inline std::vector<double> all_occupancies(const std::vector<double> &r, const F
 }
 
 // The assignment at m(L), the least m that needs at most L levels, for L = 1 .. most.
-inline std::vector<LiteralCost> literal_costs(const std::vector<double> &r, const Filling &filling, std::size_t most) {
+inline std::vector<LiteralCost> literal_costs(const std::vector<double> &r, const Filling &filling, size_t most) {
   const std::vector<double> values = all_occupancies(r, filling);
   std::vector<LiteralCost> costs;
-  for (std::size_t L = 1; L <= most; L++) {
+  for (size_t L = 1; L <= most; L++) {
     LiteralCost cost{false, 0, {}};
     for (double m : values) {
       cost.levels = literal_levels(r, filling, m);

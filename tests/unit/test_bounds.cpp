@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The extents of what is stored, and the folds over many numbers that find them.
-#include "bounds.hpp"
-#include "checks.hpp"
-#include "extremes.hpp"
+#include "src/base/extremes.hpp"
+#include "src/space/bounds.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ void check_columns(Rng &rng) {
   }
 }
 
-void check_folds(std::uint64_t seed) {
+void check_folds(uint64_t seed) {
   Rng rng(seed);
   check_columns<1>(rng);
   check_columns<2>(rng);
@@ -56,7 +56,7 @@ void check_folds(std::uint64_t seed) {
 
 void folds(void **) { assert_true(sweep(500, check_folds)); }
 
-void check_bounds(std::uint64_t) {
+void check_bounds(uint64_t) {
   hg::Memory memory(hg::system_allocator());
   Domain domain;
   domain.periodic[1] = domain.any_periodic = true;
@@ -77,7 +77,7 @@ void check_bounds(std::uint64_t) {
 void bounds(void **) { assert_true(holds(0, check_bounds)); }
 
 // Many particles are looked at in parts; any number of threads finds the same bounds.
-void check_threads(std::uint64_t seed) {
+void check_threads(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   Domain domain;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The estimate of crowding against a full count.
-#include "checks.hpp"
-#include "crowding.hpp"
-#include "level_cells.hpp"
+#include "src/levels/crowding.hpp"
+#include "src/space/level_cells.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <cmath>
 #include <map>
@@ -15,7 +15,7 @@ namespace {
 using namespace hgtest;
 
 // Particles in the frame [0, 2^30)^3, clustered or not, of two sizes; only the larger are the level's.
-void check_estimate(std::uint64_t seed) {
+void check_estimate(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   hg::Domain domain;

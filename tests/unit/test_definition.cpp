@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // check_definition(): what is accepted is copied, what is refused is named with its value.
-#include "checks.hpp"
-#include "definition.hpp"
+#include "src/definition.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -31,7 +31,7 @@ void refused(hg_status status, const char *text, Change &&change) {
   require_refused(text, status, text, [&] { check_definition(def); });
 }
 
-void check_defaults(std::uint64_t) {
+void check_defaults(uint64_t) {
   const hg_grid_def def = defaults();
   require(def.struct_size == sizeof def, "struct_size");
   const Definition checked = check_definition(def);
@@ -44,7 +44,7 @@ void check_defaults(std::uint64_t) {
   require(!checked.domain.any_periodic && checked.domain.dimension == 3, "domain");
 }
 
-void check_copies(std::uint64_t) {
+void check_copies(uint64_t) {
   const double sizes[2] = {0.5, 2};
   hg_grid_def def = defaults();
   def.dimension = 2;
@@ -73,7 +73,7 @@ void check_copies(std::uint64_t) {
 }
 
 // A caller who was compiled with version 0.1 knows no prices.
-void check_first_size(std::uint64_t) {
+void check_first_size(uint64_t) {
   hg_grid_def def;
   std::memset(&def, 0x7f, sizeof def);
   hg::fill_defaults(&def, 136);
@@ -83,7 +83,7 @@ void check_first_size(std::uint64_t) {
           "prices of an older caller");
 }
 
-void check_prices(std::uint64_t) {
+void check_prices(uint64_t) {
   hg_grid_def def = defaults();
   def.level_price = 0;
   def.row_price = 7;
@@ -96,7 +96,7 @@ void check_prices(std::uint64_t) {
   require(!check_definition(def).counts_work, "PAPER goes by Eq. 7");
 }
 
-void check_paper_overhead(std::uint64_t) {
+void check_paper_overhead(uint64_t) {
   hg_grid_def def = defaults();
   def.level_rule = HG_LEVELS_PAPER;
   require(check_definition(def).cell_overhead == 0.3, "K of the paper is 0.3");
@@ -104,7 +104,7 @@ void check_paper_overhead(std::uint64_t) {
   require(check_definition(def).cell_overhead == 0.45, "the caller's K");
 }
 
-void check_struct_size(std::uint64_t) {
+void check_struct_size(uint64_t) {
   hg_grid_def def;
   require_refused("too small", HG_ERR_ARGUMENT, "struct_size", [&] { hg::fill_defaults(&def, 135); });
   require_refused("too large", HG_ERR_ARGUMENT, "struct_size", [&] { hg::fill_defaults(&def, sizeof def + 8); });
@@ -112,7 +112,7 @@ void check_struct_size(std::uint64_t) {
   refused(HG_ERR_ARGUMENT, "def.struct_size", [](hg_grid_def &d) { d.struct_size += 8; });
 }
 
-void check_choices(std::uint64_t) {
+void check_choices(uint64_t) {
   refused(HG_ERR_ARGUMENT, "def.dimension = 1", [](hg_grid_def &d) { d.dimension = 1; });
   refused(HG_ERR_ARGUMENT, "def.dimension = 4", [](hg_grid_def &d) { d.dimension = 4; });
   refused(HG_ERR_ARGUMENT, "def.thread_count = -1", [](hg_grid_def &d) { d.thread_count = -1; });
@@ -128,7 +128,7 @@ void check_choices(std::uint64_t) {
   refused(HG_ERR_LIMIT, "def.level_count = 65", [](hg_grid_def &d) { d.level_count = HG_MAX_LEVELS + 1; });
 }
 
-void check_lengths(std::uint64_t) {
+void check_lengths(uint64_t) {
   for (double bad : {-1.0, -5e-324, kNaN, kInfinity}) {
     refused(HG_ERR_ARGUMENT, "def.margin = ", [&](hg_grid_def &d) { d.margin = bad; });
     refused(HG_ERR_ARGUMENT, "def.skin = ", [&](hg_grid_def &d) { d.skin = bad; });
@@ -140,7 +140,7 @@ void check_lengths(std::uint64_t) {
   refused(HG_ERR_ARGUMENT, "def.cell_overhead = inf", [](hg_grid_def &d) { d.cell_overhead = kInfinity; });
 }
 
-void check_boxes(std::uint64_t) {
+void check_boxes(uint64_t) {
   refused(HG_ERR_ARGUMENT, "def.periodic[1] = 2", [](hg_grid_def &d) { d.periodic[1] = 2; });
   refused(HG_ERR_ARGUMENT, "def.box_max[2] = 0", [](hg_grid_def &d) { d.periodic[2] = 1; });
   refused(HG_ERR_ARGUMENT, "def.box_max[0] = -1", [](hg_grid_def &d) { d.box_max[0] = -1; });
@@ -152,7 +152,7 @@ void check_boxes(std::uint64_t) {
   });
 }
 
-void check_cell_sizes(std::uint64_t) {
+void check_cell_sizes(uint64_t) {
   static constexpr double duplicate[] = {1, 1}, falling[] = {1, 0.5}, zero[] = {0, 1}, negative[] = {-1, 1};
   static constexpr double nan[] = {1, kNaN}, infinite[] = {1, kInfinity};
   const auto with = [](const double *sizes, int32_t count) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // exact_less() against rational numbers: all exponents, cancelling sums, exact ties.
-#include "checks.hpp"
-#include "exact_sign.hpp"
+#include "src/exact/exact_sign.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <gmpxx.h>
 
@@ -56,10 +56,10 @@ double any_double(Rng &rng) {
   }
 }
 
-std::int64_t any_factor(Rng &rng) {
-  const std::int64_t sign = rng.chance(0.5) ? -1 : 1;
+int64_t any_factor(Rng &rng) {
+  const int64_t sign = rng.chance(0.5) ? -1 : 1;
   if (rng.chance(0.5)) return sign;
-  return sign * static_cast<std::int64_t>(rng.below((1u << 21) + 1));
+  return sign * static_cast<int64_t>(rng.below((1u << 21) + 1));
 }
 
 ExactSum any_sum(Rng &rng) {
@@ -69,7 +69,7 @@ ExactSum any_sum(Rng &rng) {
   return sum;
 }
 
-void check_any_numbers(std::uint64_t seed) {
+void check_any_numbers(uint64_t seed) {
   Rng rng(seed);
   const int dimension = rng.integer(1, 3);
   ExactSum difference[3];
@@ -78,7 +78,7 @@ void check_any_numbers(std::uint64_t seed) {
 }
 
 // Numbers of one size, so that neither side is decided by exponents alone.
-void check_similar_numbers(std::uint64_t seed) {
+void check_similar_numbers(uint64_t seed) {
   Rng rng(seed);
   const int dimension = rng.integer(2, 3);
   const int exponent = rng.integer(-1074, 1000);
@@ -87,7 +87,7 @@ void check_similar_numbers(std::uint64_t seed) {
   for (ExactSum &d : difference) {
     d.add(value(), 1);
     d.add(value(), -1);
-    const std::int64_t boxes = rng.integer(-2, 2);
+    const int64_t boxes = rng.integer(-2, 2);
     if (boxes != 0) d.add(value(), boxes);
   }
   reach.add(value(), 1);
@@ -98,7 +98,7 @@ void check_similar_numbers(std::uint64_t seed) {
 // `total` as a sum whose other terms cancel; none of them lets the sum be formed in doubles.
 ExactSum cancelling_sum(Rng &rng, double total, double other) {
   ExactSum sum;
-  const std::int64_t factor = any_factor(rng);
+  const int64_t factor = any_factor(rng);
   sum.add(other, factor);
   sum.add(total, 1);
   sum.add(other, -factor);
@@ -106,7 +106,7 @@ ExactSum cancelling_sum(Rng &rng, double total, double other) {
 }
 
 // Pythagorean tuples at any scale: a tie is not less, and the tiniest number more decides.
-void check_ties(std::uint64_t seed) {
+void check_ties(uint64_t seed) {
   static constexpr int tuples[5][4] = {{3, 4, 0, 5}, {20, 21, 0, 29}, {2, 3, 6, 7}, {1, 4, 8, 9}, {6, 10, 15, 19}};
   Rng rng(seed);
   const int *tuple = tuples[rng.below(5)];
@@ -124,7 +124,7 @@ void check_ties(std::uint64_t seed) {
 }
 
 // The reach is the distance rounded, or a few units in the last place beside it.
-void check_near_ties(std::uint64_t seed) {
+void check_near_ties(uint64_t seed) {
   Rng rng(seed);
   const int dimension = rng.integer(2, 3);
   ExactSum difference[3], reach;
@@ -142,15 +142,15 @@ void check_near_ties(std::uint64_t seed) {
 }
 
 // The longest integers that can occur: the largest and the tiniest number with the largest factors.
-void check_longest(std::uint64_t seed) {
+void check_longest(uint64_t seed) {
   Rng rng(seed);
-  const std::int64_t most = std::int64_t{1} << 32;
+  const int64_t most = int64_t{1} << 32;
   ExactSum difference[3], reach;
   for (ExactSum *sum : {&difference[0], &difference[1], &difference[2], &reach}) {
     const double large = rng.chance(0.5) ? kLargest : 0x1p1023;
-    const std::int64_t sign = rng.chance(0.5) ? -1 : 1;
+    const int64_t sign = rng.chance(0.5) ? -1 : 1;
     for (int k = 0; k < 3; k++) sum->add(large, sign * most);
-    sum->add(rng.chance(0.5) ? kTiniest : -kTiniest, most - static_cast<std::int64_t>(rng.below(2)));
+    sum->add(rng.chance(0.5) ? kTiniest : -kTiniest, most - static_cast<int64_t>(rng.below(2)));
   }
   compare("longest", difference, rng.integer(1, 3), reach);
 }

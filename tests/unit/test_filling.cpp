@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Sampled densities: against even fillings, a film, crowds of known volume, and at the ends of doubles.
-#include "checks.hpp"
-#include "filling.hpp"
+#include "src/levels/filling.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +17,11 @@ using hg::Filling;
 // `count` centres drawn by place(rng, x), in a box without periods.
 template <class Place>
 struct Scene {
-  Scene(std::uint64_t seed, int dimension, std::size_t count, Place place)
+  Scene(uint64_t seed, int dimension, size_t count, Place place)
       : memory(hg::system_allocator()), store(memory, domain_of(dimension), {}, 0, HUGE_VAL) {
     Rng rng(seed);
-    std::vector<double> centers(count * static_cast<std::size_t>(dimension)), radii(count, 1e-6);
-    for (std::size_t i = 0; i < count; i++) place(rng, &centers[i * static_cast<std::size_t>(dimension)]);
+    std::vector<double> centers(count * static_cast<size_t>(dimension)), radii(count, 1e-6);
+    for (size_t i = 0; i < count; i++) place(rng, &centers[i * static_cast<size_t>(dimension)]);
     store.insert(count, centers.data(), radii.data());
     domain = domain_of(dimension);
     frame = hg::Frame::over(hg::bounds_of(store, domain, 1), domain, 0);
@@ -46,7 +46,7 @@ struct Scene {
   Filling filling;
 };
 
-void check_even(std::uint64_t seed) {
+void check_even(uint64_t seed) {
   const int d = seed % 2 == 0 ? 3 : 2;
   const Scene scene(seed, d, 50000, [d](Rng &rng, double *x) {
     for (int k = 0; k < d; k++) x[k] = rng.uniform();
@@ -61,7 +61,7 @@ void check_even(std::uint64_t seed) {
 }
 
 // A film 1 x 1 x 0.01: twice as long a cell meets four times as many, once it is thicker than the film.
-void check_film(std::uint64_t seed) {
+void check_film(uint64_t seed) {
   const Scene scene(seed, 3, 50000, [](Rng &rng, double *x) {
     x[0] = rng.uniform();
     x[1] = rng.uniform();
@@ -72,7 +72,7 @@ void check_film(std::uint64_t seed) {
 }
 
 // 99 % in 1 % of the volume: the mean over particles of the density is 0.99 * 99 + 0.01 * about 1.
-void check_crowded(std::uint64_t seed) {
+void check_crowded(uint64_t seed) {
   const double edge = std::cbrt(0.01);
   const Scene scene(seed, 3, 50000, [edge](Rng &rng, double *x) {
     const double scale = rng.chance(0.99) ? edge : 1;
@@ -83,9 +83,9 @@ void check_crowded(std::uint64_t seed) {
 }
 
 // The same of the same particles, whatever lies between; one particle and coincident ones are no trouble.
-void check_edges(std::uint64_t) {
+void check_edges(uint64_t) {
   const auto origin = [](Rng &, double *x) { x[0] = x[1] = x[2] = 5; };
-  for (std::size_t count : {1, 2, 3, 1023, 1024, 1025, 5000}) {
+  for (size_t count : {1, 2, 3, 1023, 1024, 1025, 5000}) {
     const Scene scene(1, 3, count, origin);
     for (double length : {0.0, 1.0, 1e9, HUGE_VAL}) {
       const double density = scene.filling.density(length);

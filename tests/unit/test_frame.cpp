@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Fixed-point coordinates against rational numbers, for extents and distances from the origin of all sizes.
-#include "checks.hpp"
-#include "frame.hpp"
+#include "src/space/frame.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <gmpxx.h>
 
@@ -75,7 +75,7 @@ Scene any_scene(Rng &rng, double offset, double extent) {
   return scene;
 }
 
-void check_ordinary(std::uint64_t seed) {
+void check_ordinary(uint64_t seed) {
   Rng rng(seed);
   const double extent = std::pow(10, rng.uniform(-20, 20));
   const Scene scene = any_scene(rng, extent * std::pow(10, rng.uniform(-3, 12)), extent);
@@ -83,7 +83,7 @@ void check_ordinary(std::uint64_t seed) {
   require_resolution(scene);
 }
 
-void check_extreme(std::uint64_t seed) {
+void check_extreme(uint64_t seed) {
   Rng rng(seed);
   const double extent = std::ldexp(1.0, rng.integer(-1074, 1022));
   const double offset = rng.chance(0.5) ? 0 : std::ldexp(1.0, rng.integer(-1074, 1020));
@@ -94,7 +94,7 @@ void ordinary(void **) { assert_true(sweep(3000, check_ordinary)); }
 void extreme(void **) { assert_true(sweep(5000, check_extreme)); }
 
 // Coincident centres, far out or at zero, with radii from nothing to the largest doubles.
-void check_coincident(std::uint64_t) {
+void check_coincident(uint64_t) {
   for (double x : {0.0, 1.0, -1e10, 1e300, 1.7e308, 5e-324}) {
     for (double least : {0.0, 5e-324, 1e-300, 1e-9, 1.0, 1e300, 1.7e308}) {
       Scene scene;
@@ -106,7 +106,7 @@ void check_coincident(std::uint64_t) {
   }
 }
 
-void check_widest(std::uint64_t) {
+void check_widest(uint64_t) {
   Scene scene;
   scene.domain.dimension = 2;
   scene.points[0] = {-1.7e308, 1.7e308, 0, 1};
@@ -116,7 +116,7 @@ void check_widest(std::uint64_t) {
 }
 
 // Order is kept, so that windows in doubles and in quanta agree about who is inside.
-void check_monotone(std::uint64_t seed) {
+void check_monotone(uint64_t seed) {
   Rng rng(seed);
   const Scene scene = any_scene(rng, 1e3, std::pow(10, rng.uniform(-10, 10)));
   const Frame frame = Frame::over(scene.bounds, scene.domain, scene.least_extent);
@@ -127,7 +127,7 @@ void check_monotone(std::uint64_t seed) {
   }
 }
 
-void check_period(std::uint64_t seed) {
+void check_period(uint64_t seed) {
   Rng rng(seed);
   Domain domain;
   Bounds bounds;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Whole searches on inputs where rounding, overflow or a short period could lose, invent or repeat a pair.
-#include "checks.hpp"
-#include "grid.hpp"
+#include "src/grid.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <gmpxx.h>
 
@@ -109,7 +109,7 @@ void require_exact_or_refused(const char *what, const Case &c) {
 }
 
 // Two particles half a box apart meet through two images, but are one pair.
-void check_half_box(std::uint64_t) {
+void check_half_box(uint64_t) {
   Case sum(3);
   sum.box(0, 0, 1).box(1, 0, 1).box(2, 0, 1).particle(0, 0, 0, 0.2).particle(0.5, 0, 0, 0.2);
   sum.def.margin = 0.1;  // 0.2 + 0.2 + 0.1 is a little more than half the box, but rounds to it
@@ -126,7 +126,7 @@ void check_half_box(std::uint64_t) {
 }
 
 // A short period beside a long one is but a few quanta.
-void check_short_period(std::uint64_t) {
+void check_short_period(uint64_t) {
   for (int32_t accuracy : {HG_EXACT, HG_FLOAT}) {
     Case c(2);
     c.box(0, 0, 1).box(1, 0, 1e-9).particle(0.1, 0, 0, 1e-10).particle(0.9, 0, 0, 1e-10);
@@ -138,7 +138,7 @@ void check_short_period(std::uint64_t) {
 }
 
 // Below a power of two doubles are finer than above: wrapping must not round to the coarser ones.
-void check_far_box(std::uint64_t seed) {
+void check_far_box(uint64_t seed) {
   Rng rng(seed);
   const int exponent = rng.integer(20, 45);
   const double low = rng.chance(0.5) ? std::ldexp(1.0, exponent) : -std::ldexp(1.0, exponent) - 1;
@@ -154,7 +154,7 @@ void check_far_box(std::uint64_t seed) {
 }
 
 // Centres of one coordinate far out, with radii that are nothing beside it; radii beyond all bounds.
-void check_scales(std::uint64_t) {
+void check_scales(uint64_t) {
   require_exact("tiny radii far out", Case(2).particle(1e10, 1e10, 0, 1e-300).particle(1e10, 1e10, 0, 1e-300));
   require_exact("one particle", Case(3).particle(1e300, 1e300, 1e300, 1e-9));
   require_exact("a plane far out",
@@ -168,7 +168,7 @@ void check_scales(std::uint64_t) {
 }
 
 // HG_DOUBLE is its plain expression where squares vanish or overflow, too.
-void check_double(std::uint64_t) {
+void check_double(uint64_t) {
   for (double unit : {1e-200, 1e-170, 1e-155, 1.0, 1e155, 1e170}) {
     Case c(2);
     c.def.accuracy = HG_DOUBLE;
@@ -187,7 +187,7 @@ void check_double(std::uint64_t) {
 }
 
 // A cost that overflows must not cost the levels.
-void check_overhead(std::uint64_t) {
+void check_overhead(uint64_t) {
   Case c(2);
   c.def.cell_overhead = 1e308;
   c.def.box_max[0] = c.def.box_max[1] = 1e-200;
@@ -195,7 +195,7 @@ void check_overhead(std::uint64_t) {
 }
 
 // A crowd with particles 1e200 away, whose rows are all the last row.
-void check_far_outliers(std::uint64_t seed) {
+void check_far_outliers(uint64_t seed) {
   Rng rng(seed);
   Case c(3);
   for (int i = 0; i < 400; i++) c.particle(rng.uniform(0, 8), rng.uniform(0, 8), rng.uniform(0, 8), 0.3);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic images: all that can reach into the box, each once, forward steps first.
-#include "checks.hpp"
-#include "images.hpp"
+#include "src/index/images.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <cmath>
 #include <limits>
@@ -29,7 +29,7 @@ bool is_forward(hg::Image image) {
 
 class Scene {
  public:
-  Scene(std::uint64_t seed, hg::Memory &memory)
+  Scene(uint64_t seed, hg::Memory &memory)
       : rng_(seed),
         domain_(any_domain()),
         index_(memory),
@@ -150,7 +150,7 @@ class Scene {
   std::map<Key, uint32_t> place_;
 };
 
-void check_scene(std::uint64_t seed) {
+void check_scene(uint64_t seed) {
   hg::Memory memory(hg::system_allocator());
   Scene(seed, memory).check();
 }
@@ -158,7 +158,7 @@ void check_scene(std::uint64_t seed) {
 void any_scenes(void **) { assert_true(sweep(200, check_scene)); }
 
 void image_numbers(void **) {
-  const bool ok = holds(0, [](std::uint64_t) {
+  const bool ok = holds(0, [](uint64_t) {
     require(hg::make_image(0, 0, 0) == hg::kNoImage, "no step");
     for (int z = -1; z <= 1; z++) {
       for (int y = -1; y <= 1; y++) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The built index: every particle once, on its level, in its cell, at its place.
-#include "checks.hpp"
-#include "index.hpp"
+#include "src/index/index.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <gmpxx.h>
 
@@ -26,7 +26,7 @@ mpz_class floor_of(const mpq_class &x) {
 
 class Scene {
  public:
-  Scene(std::uint64_t seed, hg::Memory &memory)
+  Scene(uint64_t seed, hg::Memory &memory)
       : rng_(seed),
         domain_(any_domain()),
         interaction_(any_interaction()),
@@ -179,7 +179,7 @@ class Scene {
   hg::LevelPlan plan_;
 };
 
-void check_scene(std::uint64_t seed) {
+void check_scene(uint64_t seed) {
   hg::Memory memory(hg::system_allocator());
   Scene(seed, memory).check();
 }
@@ -187,7 +187,7 @@ void check_scene(std::uint64_t seed) {
 void any_scenes(void **) { assert_true(sweep(120, check_scene)); }
 
 // One particle far away must not cost memory: cells stay bounded, the crowd goes to sparse rows.
-void check_outlier(std::uint64_t) {
+void check_outlier(uint64_t) {
   hg::Memory memory(hg::system_allocator());
   Index index(memory);
   hg::BuildScratch scratch(memory);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The search kernels against brute force on integers, where floats are weakest: at the far end of the frame, in the
 // smallest cells. Every instruction set that this machine runs must give the pairs of the scalar one, in its order.
-#include "checks.hpp"
-#include "kernels/kernel_sets.hpp"
-#include "level_cells.hpp"
+#include "src/kernels/kernel_sets.hpp"
+#include "src/space/level_cells.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,10 +74,10 @@ struct Sink : PairSink {
     };
     settle = [](PairSink *sink) {
       auto *self = static_cast<Sink *>(sink);
-      for (std::uint32_t k = 0; k < sink->open_count; k++) {
+      for (uint32_t k = 0; k < sink->open_count; k++) {
         const hg::OpenPair &pair = sink->open[k];
         const Pair asked(std::min(pair.slot_a, pair.slot_b), std::max(pair.slot_a, pair.slot_b));
-        const Pair written(static_cast<std::uint32_t>(pair.at->a), static_cast<std::uint32_t>(pair.at->b));
+        const Pair written(static_cast<uint32_t>(pair.at->a), static_cast<uint32_t>(pair.at->b));
         self->open_where_written = self->open_where_written && pair.at < sink->next && asked == written;
         self->found.asked.push_back(asked);
       }
@@ -112,7 +112,7 @@ std::vector<const KernelSet *> kernel_sets() {
 
 class Scene {
  public:
-  explicit Scene(std::uint64_t seed) : rng_(seed), dimension_(rng_.integer(2, 3)), max_range_(rng_.chance(0.5)) {
+  explicit Scene(uint64_t seed) : rng_(seed), dimension_(rng_.integer(2, 3)), max_range_(rng_.chance(0.5)) {
     lay();
     make_cluster();
     fill_table();
@@ -318,13 +318,13 @@ class Scene {
 };
 
 void own_level(void **) {
-  assert_true(sweep(600, [](std::uint64_t seed) { Scene(seed).check_own_level(); }));
+  assert_true(sweep(600, [](uint64_t seed) { Scene(seed).check_own_level(); }));
 }
 void cross_level(void **) {
-  assert_true(sweep(600, [](std::uint64_t seed) { Scene(seed).check_cross_level(); }));
+  assert_true(sweep(600, [](uint64_t seed) { Scene(seed).check_cross_level(); }));
 }
 void stopping(void **) {
-  assert_true(sweep(50, [](std::uint64_t seed) { Scene(seed).check_stopping(); }));
+  assert_true(sweep(50, [](uint64_t seed) { Scene(seed).check_stopping(); }));
 }
 
 }  // namespace

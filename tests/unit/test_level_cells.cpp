@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // How cells are laid: never too many, rows never too narrow for the search, all of the frame covered.
-#include "checks.hpp"
-#include "level_cells.hpp"
+#include "src/space/level_cells.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <cmath>
 #include <limits>
@@ -58,13 +58,13 @@ Layout any_layout(Rng &rng) {
   return in;
 }
 
-void check_any(std::uint64_t seed) {
+void check_any(uint64_t seed) {
   Rng rng(seed);
   require_layout(any_layout(rng));
 }
 
 // A table that is too large by less than the most stretch keeps its row width; a larger one keeps the stretch.
-void check_stretch(std::uint64_t) {
+void check_stretch(uint64_t) {
   Layout in;
   in.frame.extent[0] = in.frame.extent[1] = in.frame.extent[2] = 0x1p30;
   in.cell_size = 0x1p22;  // 256 cells along an edge, 128^2 * 512 cells in all
@@ -86,7 +86,7 @@ void stretch(void **) { assert_true(holds(0, check_stretch)); }
 
 void any_layouts(void **) { assert_true(sweep(20000, check_any)); }
 
-void check_degenerate(std::uint64_t) {
+void check_degenerate(uint64_t) {
   for (double extent : {0.0, 0.5, 1.0, 4095.0, 4096.0, 0x1p30}) {
     for (double cell_size : {0.0, 1e-300, 1.0, 0x1p30, 1e30, 1e300, std::numeric_limits<double>::infinity()}) {
       for (size_t particles : {size_t{1}, size_t{1000}, size_t{2147483647}}) {
@@ -103,7 +103,7 @@ void check_degenerate(std::uint64_t) {
 void degenerate(void **) { assert_true(holds(0, check_degenerate)); }
 
 // Where memory allows the widths asked for, they are given, but for dividing the extent evenly.
-void check_widths(std::uint64_t) {
+void check_widths(uint64_t) {
   Layout in;
   for (double &e : in.frame.extent) e = 0x1p30;
   in.cell_size = 0x1p24;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The work that levels are expected to cost: tests against the library's own count of candidates, rows against throws
 // of balls onto rows, the sum against its terms, and the ends of doubles.
-#include "checks.hpp"
-#include "grid.hpp"
-#include "level_cells.hpp"
-#include "level_cost.hpp"
-#include "level_plan.hpp"
+#include "src/grid.hpp"
+#include "src/levels/level_cost.hpp"
+#include "src/levels/level_plan.hpp"
+#include "src/space/level_cells.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,14 +23,14 @@ struct Input {
 };
 
 // Even in a periodic box of edge 1, so that no surface spoils the counts; p(r) ~ r^-3, at 0.3 of the volume.
-Input even_input(std::uint64_t seed, int dimension, std::size_t count, double ratio) {
+Input even_input(uint64_t seed, int dimension, size_t count, double ratio) {
   Rng rng(seed);
   Input in;
   hg::fill_defaults(&in.def, sizeof in.def);
   in.def.dimension = dimension;
   in.def.thread_count = 1;
   double volume = 0;
-  for (std::size_t i = 0; i < count; i++) {
+  for (size_t i = 0; i < count; i++) {
     for (int k = 0; k < dimension; k++) in.centers.push_back(rng.uniform());
     in.radii.push_back(1 / std::sqrt(1 - rng.uniform() * (1 - 1 / (ratio * ratio))));
     volume += std::pow(in.radii.back(), dimension) * (dimension == 3 ? 4.19 : 3.14);
@@ -68,7 +68,7 @@ Outcome search(Input in, int levels, double level_price, double row_price) {
   return outcome;
 }
 
-void check_tests(std::uint64_t seed) {
+void check_tests(uint64_t seed) {
   const int dimension = seed % 2 == 0 ? 3 : 2;
   Input in = even_input(seed, dimension, 20000, 8);
   if (seed % 3 == 1) in.def.margin = 0.3 * in.radii[0];
@@ -100,14 +100,14 @@ double rows_met(Rng &rng, int dimension, double w) {
   return met / kThrows;
 }
 
-void check_rows(std::uint64_t seed) {
+void check_rows(uint64_t seed) {
   const int dimension = seed % 2 == 0 ? 3 : 2;
   const Input in = even_input(seed, dimension, 20000, 8);
   const Outcome without = search(in, 3, 0, 0), with = search(in, 3, 0, 1);
   Rng rng(seed);
   double expected = 0;
-  for (std::size_t h = 1; h < 3; h++) {
-    for (std::size_t k = 0; k < h; k++) {
+  for (size_t h = 1; h < 3; h++) {
+    for (size_t k = 0; k < h; k++) {
       const hg_level &fine = without.levels[k];
       const double width = 1 / std::floor(1 / (hg::kRowWidth * fine.cell_size));
       for (const double r : in.radii) {
@@ -123,7 +123,7 @@ void check_rows(std::uint64_t seed) {
 
 void rows_are_counted(void **) { assert_true(sweep(6, check_rows)); }
 
-void check_sum(std::uint64_t) {
+void check_sum(uint64_t) {
   const Input in = even_input(5, 3, 5000, 8);
   for (int levels = 1; levels <= 3; levels++) {
     const double tests = search(in, levels, 0, 0).cost, rows = search(in, levels, 0, 1).cost - tests;
@@ -136,7 +136,7 @@ void prices_add_up(void **) { assert_true(holds(0, check_sum)); }
 
 // The same plan whatever the kernels and threads: it is made of doubles alone. Here: of the same input twice, and with
 // several threads.
-void check_same(std::uint64_t seed) {
+void check_same(uint64_t seed) {
   Input in = even_input(seed, 3, 30000, 30);
   in.def.level_price = 1;
   const Outcome one = search(in, 4, 1, 5);
@@ -148,7 +148,7 @@ void check_same(std::uint64_t seed) {
 void threads_do_not_matter(void **) { assert_true(sweep(2, check_same)); }
 
 // Radii and places of any size: costs are numbers, levels sound.
-void check_extremes(std::uint64_t seed) {
+void check_extremes(uint64_t seed) {
   Rng rng(seed);
   Input in;
   hg::fill_defaults(&in.def, sizeof in.def);
@@ -157,8 +157,8 @@ void check_extremes(std::uint64_t seed) {
   static constexpr double margins[] = {0, 5e-324, 1, 1e150};
   in.def.margin = margins[rng.below(4)];
   const int least = rng.integer(-1074, 500), most = rng.integer(least, 500);
-  const std::size_t count = 1 + rng.below(300);
-  for (std::size_t i = 0; i < count; i++) {
+  const size_t count = 1 + rng.below(300);
+  for (size_t i = 0; i < count; i++) {
     for (int k = 0; k < in.def.dimension; k++) in.centers.push_back(std::ldexp(rng.uniform() - 0.5, least + 9));
     in.radii.push_back(rng.chance(0.1) ? 0 : std::ldexp(rng.uniform(), rng.integer(least, most)));
   }
@@ -182,7 +182,7 @@ void check_extremes(std::uint64_t seed) {
 void extremes(void **) { assert_true(sweep(300, check_extremes)); }
 
 // 1e6 : 1, one giant in dust: two levels, and the giant's rows are not more than there are.
-void check_giant(std::uint64_t) {
+void check_giant(uint64_t) {
   Input in = even_input(7, 3, 20000, 1.0001);
   in.def.periodic[0] = in.def.periodic[1] = in.def.periodic[2] = 0;
   for (double &r : in.radii) r = 1e-6;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The choice of levels: against Appendix A written literally, against reference values, and at the ends of doubles.
-#include "checks.hpp"
-#include "level_plan.hpp"
-#include "literal_levels.hpp"
+#include "src/levels/level_plan.hpp"
+#include "tests/unit/checks.hpp"
+#include "tests/unit/literal_levels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,7 @@ std::vector<double> any_radii(Rng &rng) {
   return radii;
 }
 
-void check_literal(std::uint64_t seed) {
+void check_literal(uint64_t seed) {
   Rng rng(seed);
   std::vector<double> radii = any_radii(rng);
   LevelRequest request = cube(std::pow(10, rng.uniform(-1, 2)), rng.uniform(0, 3));
@@ -78,8 +78,8 @@ void check_literal(std::uint64_t seed) {
   const std::vector<LiteralCost> expected = literal_costs(radii, {request.edge, request.dimension}, 16);
   require(plan.cost_count >= 16, "only %d numbers of levels were looked at", plan.cost_count);
   double best = HUGE_VAL;
-  std::size_t best_count = 0;
-  for (std::size_t L = 1; L <= expected.size(); L++) {
+  size_t best_count = 0;
+  for (size_t L = 1; L <= expected.size(); L++) {
     const LiteralCost &e = expected[L - 1];
     const hg_level_cost &cost = plan.costs[L - 1];
     require(cost.level_count == static_cast<int>(L), "cost %zu is of %d levels", L, cost.level_count);
@@ -97,10 +97,10 @@ void check_literal(std::uint64_t seed) {
       best_count = L;
     }
   }
-  if (static_cast<std::size_t>(plan.level_count) > expected.size()) return;
-  require(static_cast<std::size_t>(plan.level_count) == best_count, "%d levels, %zu are cheapest", plan.level_count,
+  if (static_cast<size_t>(plan.level_count) > expected.size()) return;
+  require(static_cast<size_t>(plan.level_count) == best_count, "%d levels, %zu are cheapest", plan.level_count,
           best_count);
-  for (std::size_t h = 0; h < best_count; h++) {
+  for (size_t h = 0; h < best_count; h++) {
     const LiteralLevel &e = expected[best_count - 1].levels[h];
     require(plan.levels[h].particles == static_cast<int64_t>(e.count) && plan.levels[h].cell_size == e.cell_size,
             "level %zu: %lld @ %g instead of %zu @ %g", h, static_cast<long long>(plan.levels[h].particles),
@@ -111,9 +111,9 @@ void check_literal(std::uint64_t seed) {
 void literal_appendix_a(void **) { assert_true(sweep(150, check_literal)); }
 
 // r_i = F^-1((i + 1/2) / N) for the law of equal volume per size class, r_min = 1.
-std::vector<double> uniform_volume(double omega, std::size_t count) {
+std::vector<double> uniform_volume(double omega, size_t count) {
   std::vector<double> radii(count);
-  for (std::size_t i = 0; i < count; i++) {
+  for (size_t i = 0; i < count; i++) {
     const double F = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
     radii[i] = 1 / std::sqrt(1 - F * (1 - 1 / (omega * omega)));
   }
@@ -126,7 +126,7 @@ double edge_filled(const std::vector<double> &radii, double fraction) {
   return std::cbrt(4 * kPi / 3 * cubes / fraction);
 }
 
-void check_uniform_volume_50(std::uint64_t) {
+void check_uniform_volume_50(uint64_t) {
   const std::vector<double> radii = uniform_volume(50, 125001);
   LevelRequest request = cube(edge_filled(radii, 0.62), 0.3);
   require(std::fabs(request.edge - 435.847842) < 1e-6, "S = %.9g", request.edge);
@@ -148,7 +148,7 @@ void check_uniform_volume_50(std::uint64_t) {
 }
 
 // The best number of levels falls as visiting cells gets dearer.
-void check_overheads(std::uint64_t) {
+void check_overheads(uint64_t) {
   const std::vector<double> radii = uniform_volume(50, 125001);
   const double edge = edge_filled(radii, 0.62);
   static constexpr struct {
@@ -161,7 +161,7 @@ void check_overheads(std::uint64_t) {
   }
 }
 
-void check_two_sizes(std::uint64_t) {
+void check_two_sizes(uint64_t) {
   std::vector<double> radii(124876, 1.0);
   radii.resize(125001, 10.0);
   const LevelPlan plan = plan_of(radii, cube(119.071316, 0.3));
@@ -180,7 +180,7 @@ void check_two_sizes(std::uint64_t) {
   require(plan_of(radii, five).levels[0].cell_size == 20, "one level of two sizes");
 }
 
-void check_one_size(std::uint64_t) {
+void check_one_size(uint64_t) {
   const std::vector<double> radii(1000, 1.0);
   const LevelPlan plan = plan_of(radii, cube(edge_filled(radii, 0.62), 0.3));
   require(plan.level_count == 1, "%d levels", plan.level_count);
@@ -193,7 +193,7 @@ void two_sizes(void **) { assert_true(holds(0, check_two_sizes)); }
 void one_size(void **) { assert_true(holds(0, check_one_size)); }
 
 // Cells hold what two particles can reach: margin and ranges included.
-void check_interactions(std::uint64_t) {
+void check_interactions(uint64_t) {
   const std::vector<double> radii = {1, 1, 4};
   LevelRequest request = cube(20, 0.3);
   request.level_count = 2;
@@ -206,7 +206,7 @@ void check_interactions(std::uint64_t) {
 }
 
 // m(L) to a relative precision: never more than that above the exact one.
-void check_precision(std::uint64_t seed) {
+void check_precision(uint64_t seed) {
   Rng rng(seed);
   std::vector<double> radii(2000);
   for (double &r : radii) r = 1 / std::sqrt(1 - rng.uniform() * (1 - 1e-4));
@@ -226,7 +226,7 @@ void interactions(void **) { assert_true(holds(0, check_interactions)); }
 void precision(void **) { assert_true(sweep(10, check_precision)); }
 
 // (2r/S)^d under- and overflows; still no particle may be lost.
-void check_extremes(std::uint64_t seed) {
+void check_extremes(uint64_t seed) {
   Rng rng(seed);
   static constexpr double edges[] = {0, 5e-324, 1e-300, 1e-120, 1, 1e120, 1e300, kLargest, HUGE_VAL};
   static constexpr double overheads[] = {0, 0.3, 1e308};
@@ -248,7 +248,7 @@ void check_extremes(std::uint64_t seed) {
 
 void extremes(void **) { assert_true(sweep(15, check_extremes)); }
 
-void check_many_sizes(std::uint64_t) {
+void check_many_sizes(uint64_t) {
   std::vector<double> radii;
   for (int k = 0; k < 300; k++) radii.push_back(std::ldexp(1.0, k));
   LevelRequest request = cube(0x1p301, 0);
@@ -263,7 +263,7 @@ void check_many_sizes(std::uint64_t) {
 
 void many_sizes(void **) { assert_true(holds(0, check_many_sizes)); }
 
-void check_occupancy(std::uint64_t) {
+void check_occupancy(uint64_t) {
   LevelRequest request = cube(10, 0);
   require(hg::occupancy(1000, 2, request) == 1000 * (0.2 * 0.2 * 0.2), "3D");
   request.dimension = 2;
@@ -279,7 +279,7 @@ void check_occupancy(std::uint64_t) {
 void occupancies(void **) { assert_true(holds(0, check_occupancy)); }
 
 // The limit of a level is the largest radius whose diameter still fits, to the last bit.
-void check_user_levels(std::uint64_t seed) {
+void check_user_levels(uint64_t seed) {
   Rng rng(seed);
   hg::Interaction interaction;
   interaction.kind = rng.chance(0.5) ? HG_CONTACT : HG_MAX_RANGE;
@@ -292,7 +292,7 @@ void check_user_levels(std::uint64_t seed) {
   const LevelPlan plan = hg::user_levels(sizes.data(), static_cast<int>(sizes.size()), interaction);
   require(plan.level_count == static_cast<int>(sizes.size()), "%d levels", plan.level_count);
   for (int h = 0; h < plan.level_count; h++) {
-    const double s = sizes[static_cast<std::size_t>(h)], limit = plan.levels[h].radius_limit;
+    const double s = sizes[static_cast<size_t>(h)], limit = plan.levels[h].radius_limit;
     require(plan.levels[h].cell_size == s, "cell size %g instead of %g", plan.levels[h].cell_size, s);
     if (interaction.margin > s) {
       require(limit < 0, "s = %g is below the margin %g but takes radii up to %g", s, interaction.margin, limit);
@@ -309,7 +309,7 @@ void user_limits(void **) { assert_true(sweep(300, check_user_levels)); }
 
 void no_particles(void **) {
   int levels = -1;
-  const bool ok = holds(0, [&](std::uint64_t) { levels = plan_of({}, cube(1, 0.3)).level_count; });
+  const bool ok = holds(0, [&](uint64_t) { levels = plan_of({}, cube(1, 0.3)).level_count; });
   assert_true(ok);
   assert_int_equal(levels, 0);
 }

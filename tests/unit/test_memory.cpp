@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Memory and Buffer: every byte is counted and returned, a refused request changes nothing.
-#include "checks.hpp"
-#include "memory.hpp"
+#include "src/base/memory.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <cstdlib>
 #include <limits>
@@ -22,9 +22,9 @@ struct Books {
 };
 
 // Each block carries its size in front, so that a wrong size at its return is seen.
-constexpr std::size_t kHead = 16;
+constexpr size_t kHead = 16;
 
-void *give(void *context, std::size_t size) {
+void *give(void *context, size_t size) {
   Books &books = *static_cast<Books *>(context);
   books.requests++;
   if (books.refuse) return nullptr;
@@ -34,16 +34,16 @@ void *give(void *context, std::size_t size) {
   return block + kHead;
 }
 
-void take(void *context, void *memory, std::size_t size) {
+void take(void *context, void *memory, size_t size) {
   Books &books = *static_cast<Books *>(context);
-  std::size_t given = 0;
+  size_t given = 0;
   std::memcpy(&given, static_cast<char *>(memory) - kHead, sizeof given);
   books.wrong_size = books.wrong_size || given != size;
   books.bytes -= static_cast<long long>(given);
   std::free(static_cast<char *>(memory) - kHead);
 }
 
-void *regive(void *context, void *memory, std::size_t old_size, std::size_t size) {
+void *regive(void *context, void *memory, size_t old_size, size_t size) {
   void *moved = give(context, size);
   if (moved == nullptr) return nullptr;
   std::memcpy(moved, memory, old_size < size ? old_size : size);
@@ -53,22 +53,22 @@ void *regive(void *context, void *memory, std::size_t old_size, std::size_t size
 
 hg_allocator allocator_of(Books &books) { return {&books, give, regive, take}; }
 
-void check_growth(std::uint64_t seed) {
+void check_growth(uint64_t seed) {
   Rng rng(seed);
   Books books;
   Memory memory(allocator_of(books));
   {
-    Buffer<std::uint32_t> buffer(memory);
-    std::size_t held = 0;
+    Buffer<uint32_t> buffer(memory);
+    size_t held = 0;
     for (int step = 0; step < 200; step++) {
-      const std::size_t count = held + rng.below(50);
+      const size_t count = held + rng.below(50);
       buffer.grow(count);
       require(buffer.capacity() >= count, "grow(%zu) has room for %zu", count, buffer.capacity());
-      for (; held < count; held++) buffer[held] = static_cast<std::uint32_t>(held * 7);
-      for (std::size_t i = 0; i < held; i++) require(buffer[i] == i * 7, "entry %zu was lost", i);
+      for (; held < count; held++) buffer[held] = static_cast<uint32_t>(held * 7);
+      for (size_t i = 0; i < held; i++) require(buffer[i] == i * 7, "entry %zu was lost", i);
       require(memory.bytes() == books.bytes, "%lld bytes counted, %lld given", static_cast<long long>(memory.bytes()),
               books.bytes);
-      require(memory.bytes() == static_cast<int64_t>(buffer.capacity() * sizeof(std::uint32_t)), "bytes held");
+      require(memory.bytes() == static_cast<int64_t>(buffer.capacity() * sizeof(uint32_t)), "bytes held");
     }
   }
   require(memory.bytes() == 0 && books.bytes == 0, "%lld bytes are left", books.bytes);
@@ -79,18 +79,18 @@ void growth_keeps_entries(void **) { assert_true(sweep(20, check_growth)); }
 
 // One element at a time must cost a number of requests that grows as the logarithm.
 void appending_is_cheap(void **) {
-  const bool ok = holds(0, [](std::uint64_t) {
+  const bool ok = holds(0, [](uint64_t) {
     Books books;
     Memory memory(allocator_of(books));
     Buffer<char> buffer(memory);
-    for (std::size_t count = 1; count <= 100000; count++) buffer.grow(count);
+    for (size_t count = 1; count <= 100000; count++) buffer.grow(count);
     require(books.requests < 50, "%lld requests", books.requests);
   });
   assert_true(ok);
 }
 
 void require_never_shrinks(void **) {
-  const bool ok = holds(0, [](std::uint64_t) {
+  const bool ok = holds(0, [](uint64_t) {
     Books books;
     Memory memory(allocator_of(books));
     Buffer<double> buffer(memory);
@@ -107,7 +107,7 @@ void require_never_shrinks(void **) {
 }
 
 void refusal_in_grow(void **) {
-  const bool ok = holds(0, [](std::uint64_t) {
+  const bool ok = holds(0, [](uint64_t) {
     Books books;
     Memory memory(allocator_of(books));
     Buffer<int> buffer(memory);
@@ -123,7 +123,7 @@ void refusal_in_grow(void **) {
 }
 
 void refusal_in_require(void **) {
-  const bool ok = holds(0, [](std::uint64_t) {
+  const bool ok = holds(0, [](uint64_t) {
     Books books;
     Memory memory(allocator_of(books));
     {
@@ -143,8 +143,8 @@ void refusal_in_require(void **) {
 
 // Sizes beyond what an address can count are refused before any request is made.
 void sizes_that_overflow(void **) {
-  const bool ok = holds(0, [](std::uint64_t) {
-    const std::size_t most = std::numeric_limits<std::size_t>::max();
+  const bool ok = holds(0, [](uint64_t) {
+    const size_t most = std::numeric_limits<size_t>::max();
     require(hg::array_bytes(most / 8, 8) == most / 8 * 8, "the largest size that fits");
     require_refused("array_bytes", HG_ERR_MEMORY, "elements", [&] { hg::array_bytes(most / 8 + 1, 8); });
     Books books;
@@ -158,7 +158,7 @@ void sizes_that_overflow(void **) {
 }
 
 void nothing_from_nothing(void **) {
-  const bool ok = holds(0, [](std::uint64_t) {
+  const bool ok = holds(0, [](uint64_t) {
     Books books;
     Memory memory(allocator_of(books));
     require(memory.allocate(0) == nullptr, "zero bytes need no memory");
@@ -172,7 +172,7 @@ void nothing_from_nothing(void **) {
 }
 
 void system_allocator_works(void **) {
-  const bool ok = holds(0, [](std::uint64_t) {
+  const bool ok = holds(0, [](uint64_t) {
     Memory memory(hg::system_allocator());
     auto *block = static_cast<char *>(memory.allocate(10));
     std::memset(block, 7, 10);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // NeighborRows against rows gathered in sets.
-#include "any_pairs.hpp"
-#include "checks.hpp"
-#include "neighbor_rows.hpp"
+#include "src/pairs/neighbor_rows.hpp"
+#include "tests/unit/any_pairs.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <algorithm>
 #include <set>
@@ -18,7 +18,7 @@ using Rows = std::vector<std::set<int32_t>>;
 
 void require_rows(NeighborRows &got, const Rows &expected) {
   require(got.offsets()[0] == 0, "the first offset is %lld", static_cast<long long>(got.offsets()[0]));
-  for (std::size_t row = 0; row < expected.size(); row++) {
+  for (size_t row = 0; row < expected.size(); row++) {
     const int64_t begin = got.offsets()[row], end = got.offsets()[row + 1];
     require(end - begin == static_cast<int64_t>(expected[row].size()), "row %zu has %lld neighbours", row,
             static_cast<long long>(end - begin));
@@ -26,7 +26,7 @@ void require_rows(NeighborRows &got, const Rows &expected) {
   }
 }
 
-void check_any(std::uint64_t seed) {
+void check_any(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   NeighborRows rows(memory);
@@ -34,11 +34,11 @@ void check_any(std::uint64_t seed) {
     const int count = rng.integer(0, 300);
     const int32_t base = rng.integer(0, 1);
     const std::vector<hg_pair> pairs = any_pairs(rng, count, base);
-    Rows half(static_cast<std::size_t>(count)), full(static_cast<std::size_t>(count));
+    Rows half(static_cast<size_t>(count)), full(static_cast<size_t>(count));
     for (const hg_pair &p : pairs) {
-      half[static_cast<std::size_t>(p.a - base)].insert(p.b);
-      full[static_cast<std::size_t>(p.a - base)].insert(p.b);
-      full[static_cast<std::size_t>(p.b - base)].insert(p.a);
+      half[static_cast<size_t>(p.a - base)].insert(p.b);
+      full[static_cast<size_t>(p.a - base)].insert(p.b);
+      full[static_cast<size_t>(p.b - base)].insert(p.a);
     }
     rows.build(pairs.data(), pairs.size(), half.size(), base, HG_FULL);
     require_rows(rows, full);
@@ -50,7 +50,7 @@ void check_any(std::uint64_t seed) {
 void any_pairs_in_rows(void **) { assert_true(sweep(200, check_any)); }
 
 void no_rows(void **) {
-  const bool ok = holds(0, [](std::uint64_t) {
+  const bool ok = holds(0, [](uint64_t) {
     hg::Memory memory(hg::system_allocator());
     NeighborRows rows(memory);
     rows.build(nullptr, 0, 0, 0, HG_FULL);

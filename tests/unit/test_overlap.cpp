@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Overlap::test() against rational numbers: nearly touching balls, far periodic images, squares out of range.
-#include "checks.hpp"
-#include "overlap.hpp"
+#include "src/exact/overlap.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <hgrid/types.h>
 
@@ -106,7 +106,7 @@ void let_touch(Rng &rng, Case &c) {
   for (int k = 0; k < c.domain.dimension; k++) c.b[k] = nudged(rng, c.a[k] + reach * u[k]);
 }
 
-void check_touching(std::uint64_t seed) {
+void check_touching(uint64_t seed) {
   Rng rng(seed);
   Case c = any_radii(rng, std::ldexp(1.0, rng.integer(-30, 30)));
   const double far = rng.chance(0.5) ? 0 : std::ldexp(c.ra, rng.integer(0, 40));
@@ -116,7 +116,7 @@ void check_touching(std::uint64_t seed) {
 }
 
 // Squares below or above what doubles hold, subnormal numbers included.
-void check_out_of_range(std::uint64_t seed) {
+void check_out_of_range(uint64_t seed) {
   Rng rng(seed);
   const bool tiny = rng.chance(0.5);
   Case c = any_radii(rng, std::ldexp(1.0, tiny ? rng.integer(-1070, -460) : rng.integer(490, 1021)));
@@ -126,7 +126,7 @@ void check_out_of_range(std::uint64_t seed) {
 }
 
 // Boxes of any length, particles up to 2^20 box lengths outside, every image.
-void check_periodic(std::uint64_t seed) {
+void check_periodic(uint64_t seed) {
   Rng rng(seed);
   Case c = any_radii(rng, 1);
   const double reach = c.interaction.diameter(c.ra > c.rb ? c.ra : c.rb);
@@ -153,7 +153,7 @@ void check_periodic(std::uint64_t seed) {
 }
 
 // HG_DOUBLE is the plain expression, bit for bit, wherever its squares go.
-void check_double(std::uint64_t seed) {
+void check_double(uint64_t seed) {
   Rng rng(seed);
   Case c = any_radii(rng, std::ldexp(1.0, rng.chance(0.7) ? rng.integer(-5, 5) : rng.integer(-1070, 1020)));
   for (double &x : c.a) x = c.ra * rng.uniform(-100, 100);
@@ -166,7 +166,7 @@ void check_double(std::uint64_t seed) {
 }
 
 // HG_FLOAT adds only pairs that double arithmetic cannot tell from touching.
-void check_float(std::uint64_t seed) {
+void check_float(uint64_t seed) {
   Rng rng(seed);
   Case c = any_radii(rng, std::ldexp(1.0, rng.integer(-1020, 1000)));
   for (double &x : c.a) x = c.ra * rng.uniform(-2, 2);

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The list of pairs and the visit of it: the same bytes with any number of threads, batches that add up to the list.
-#include "checks.hpp"
-#include "crowd.hpp"
-#include "pair_list.hpp"
-#include "pair_search.hpp"
-#include "pair_visit.hpp"
+#include "src/pairs/pair_list.hpp"
+#include "src/pairs/pair_visit.hpp"
+#include "src/search/pair_search.hpp"
+#include "tests/unit/checks.hpp"
+#include "tests/unit/crowd.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -61,7 +61,7 @@ std::vector<hg_pair> all_pairs(const Crowd &crowd) {
   return pairs;
 }
 
-void check_all_pairs(std::uint64_t seed) {
+void check_all_pairs(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   const Crowd crowd(seed, memory, any_shape(rng, rng.below(250)));
@@ -75,7 +75,7 @@ void check_all_pairs(std::uint64_t seed) {
           "%zu pairs instead of %zu, or others", found.size(), expected.size());
 }
 
-void check_threads(std::uint64_t seed) {
+void check_threads(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   Crowd crowd(seed, memory, any_shape(rng, 25000));
@@ -107,7 +107,7 @@ int32_t note(void *context, const hg_pair *pairs, size_t count) {
   return ++visited->batches >= visited->stop_after ? 1 : 0;
 }
 
-void check_visit(std::uint64_t seed) {
+void check_visit(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   const Crowd crowd(seed, memory, any_shape(rng, rng.below(12000)));
@@ -134,7 +134,7 @@ void check_visit(std::uint64_t seed) {
 }
 
 // Where ids have gaps, pairs come as slots and are named afterwards.
-void check_ids(std::uint64_t) {
+void check_ids(uint64_t) {
   hg::Memory memory(hg::system_allocator());
   hg::ParticleStore store(memory, hg::Domain{}, hg::Interaction{}, 1, HUGE_VAL);
   const double x[12] = {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3}, r[4] = {1, 1, 1, 1};

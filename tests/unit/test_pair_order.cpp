@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // PairOrder against std::sort.
-#include "any_pairs.hpp"
-#include "pair_order.hpp"
+#include "src/pairs/pair_order.hpp"
+#include "tests/unit/any_pairs.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace hgtest;
 
-void check_any(std::uint64_t seed) {
+void check_any(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   hg::PairOrder order(memory);
@@ -21,8 +21,8 @@ void check_any(std::uint64_t seed) {
     std::vector<hg_pair> pairs = any_pairs(rng, slots, base), expected = pairs;
     std::sort(expected.begin(), expected.end(),
               [](const hg_pair &p, const hg_pair &q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
-    order.ascend(pairs.data(), pairs.size(), static_cast<std::size_t>(slots), base);
-    for (std::size_t k = 0; k < pairs.size(); k++) {
+    order.ascend(pairs.data(), pairs.size(), static_cast<size_t>(slots), base);
+    for (size_t k = 0; k < pairs.size(); k++) {
       require(pairs[k].a == expected[k].a && pairs[k].b == expected[k].b, "pair %zu is (%d, %d)", k, pairs[k].a,
               pairs[k].b);
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // PairTable against std::map, and with keys that were chosen against its hash.
-#include "checks.hpp"
-#include "pair_table.hpp"
+#include "src/history/pair_table.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <map>
 #include <vector>
@@ -20,19 +20,19 @@ void require_holds(PairTable &table, const std::map<uint64_t, int64_t> &expected
           static_cast<unsigned long long>(key), static_cast<long long>(value));
 }
 
-void check_any(std::uint64_t seed) {
+void check_any(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   PairTable table(memory);
   PairFilter filter(memory);
   for (int pass = 0; pass < 3; pass++) {
-    const std::size_t count = rng.below(400);
+    const size_t count = rng.below(400);
     // Few bits make keys that come again and neighbours in number.
     const int bits = rng.integer(4, 64);
     table.reset(count);
     filter.reset(count);
     std::map<uint64_t, int64_t> expected;
-    for (std::size_t k = 0; k < count; k++) {
+    for (size_t k = 0; k < count; k++) {
       const uint64_t key = rng.next() >> (64 - bits);
       require_holds(table, expected, key);
       table.locate(key) = {key, static_cast<int64_t>(k)};
@@ -51,7 +51,7 @@ void any_keys(void **) { assert_true(sweep(300, check_any)); }
 
 // About one in 16 other keys passes a full filter.
 void filter_stops_most(void **) {
-  const bool ok = holds(1, [](std::uint64_t seed) {
+  const bool ok = holds(1, [](uint64_t seed) {
     Rng rng(seed);
     hg::Memory memory(hg::system_allocator());
     PairFilter filter(memory);
@@ -67,8 +67,8 @@ void filter_stops_most(void **) {
 // All keys begin in the first part in a thousand of the table: without another seed, `count` of them would take about
 // count^2 / 2 steps.
 void hostile_keys(void **) {
-  const bool ok = holds(2, [](std::uint64_t seed) {
-    constexpr std::size_t kCount = 20000;
+  const bool ok = holds(2, [](uint64_t seed) {
+    constexpr size_t kCount = 20000;
     Rng rng(seed);
     hg::Memory memory(hg::system_allocator());
     PairTable table(memory);
@@ -79,7 +79,7 @@ void hostile_keys(void **) {
     }
     table.reset(kCount);
     std::map<uint64_t, int64_t> expected;
-    for (std::size_t k = 0; k < kCount; k++) {
+    for (size_t k = 0; k < kCount; k++) {
       table.locate(keys[k]) = {keys[k], static_cast<int64_t>(k)};
       expected[keys[k]] = static_cast<int64_t>(k);
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // parallel_for(): every task once, workers in range, the first failure passed on. Holds with and without OpenMP.
-#include "checks.hpp"
-#include "parallel.hpp"
+#include "src/base/parallel.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <atomic>
 #include <vector>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace hgtest;
 
-void check_tasks(std::uint64_t seed) {
+void check_tasks(uint64_t seed) {
   Rng rng(seed);
   const int threads = rng.integer(1, 5);
   const size_t tasks = rng.below(200);
@@ -25,7 +25,7 @@ void check_tasks(std::uint64_t seed) {
   require(bad_workers == 0, "%d workers beyond %d threads", bad_workers.load(), threads);
 }
 
-void check_failure(std::uint64_t seed) {
+void check_failure(uint64_t seed) {
   Rng rng(seed);
   const size_t tasks = 1 + rng.below(100), bad = rng.below(tasks);
   require_refused("a task", HG_ERR_LIMIT, "task failed", [&] {

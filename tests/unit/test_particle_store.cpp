@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // ParticleStore against a map from ids to particles, its refusals, and refused memory.
-#include "checks.hpp"
-#include "particle_store.hpp"
+#include "src/particles/particle_store.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <hgrid/types.h>
 
@@ -76,7 +76,7 @@ void require_model(const ParticleStore &store, const Model &model, int dimension
 
 class Script {
  public:
-  Script(std::uint64_t seed, Memory &memory)
+  Script(uint64_t seed, Memory &memory)
       : rng_(seed),
         dimension_(rng_.integer(2, 3)),
         base_(rng_.integer(0, 1)),
@@ -186,7 +186,7 @@ class Script {
   std::vector<double> centers_, radii_;
 };
 
-void check_script(std::uint64_t seed) {
+void check_script(uint64_t seed) {
   Memory memory(hg::system_allocator());
   {
     Script script(seed, memory);
@@ -198,7 +198,7 @@ void check_script(std::uint64_t seed) {
 void like_a_map(void **) { assert_true(sweep(200, check_script)); }
 
 // Bad values are named and nothing changes, whichever call brings them.
-void check_bad_values(std::uint64_t) {
+void check_bad_values(uint64_t) {
   Memory memory(hg::system_allocator());
   ParticleStore store(memory, open_space(3), Interaction{}, 0, kInfinity);
   const double good[9] = {0, 1, 2, 3, 4, 5, 6, 7, 8}, radii[3] = {1, 0, 3};
@@ -225,7 +225,7 @@ void check_bad_values(std::uint64_t) {
 
 void bad_values(void **) { assert_true(holds(0, check_bad_values)); }
 
-void check_periodic_limits(std::uint64_t) {
+void check_periodic_limits(uint64_t) {
   Memory memory(hg::system_allocator());
   ParticleStore store(memory, periodic_x(1, 3), Interaction{HG_CONTACT, 0.25}, 0, kInfinity);
   const double far[3] = {1 + 2 * hg::kMaxWraps + 2.5, 0, 0}, edge[3] = {1 + 2 * hg::kMaxWraps + 0.5, 0, 0};
@@ -241,7 +241,7 @@ void check_periodic_limits(std::uint64_t) {
 void periodic_limits(void **) { assert_true(holds(0, check_periodic_limits)); }
 
 // Whether a box is shorter than twice the reach is a question about real numbers, not rounded ones.
-void check_box_exactly(std::uint64_t) {
+void check_box_exactly(uint64_t) {
   Memory memory(hg::system_allocator());
   const double origin[3] = {0, 0, 0};
   // 0.2 + 0.2 + 0.1 rounds to 0.5 but is more.
@@ -260,7 +260,7 @@ void check_box_exactly(std::uint64_t) {
 
 void box_exactly(void **) { assert_true(holds(0, check_box_exactly)); }
 
-void check_largest_cell(std::uint64_t) {
+void check_largest_cell(uint64_t) {
   Memory memory(hg::system_allocator());
   ParticleStore store(memory, open_space(3), Interaction{HG_CONTACT, 0.5}, 0, 2.5);
   const double x[6] = {0, 0, 0, 1, 1, 1}, good[2] = {0.5, 1}, bad[2] = {0.5, std::nextafter(1, 2)};
@@ -273,7 +273,7 @@ void check_largest_cell(std::uint64_t) {
 void largest_cell(void **) { assert_true(holds(0, check_largest_cell)); }
 
 // Refused memory leaves the store as it was.
-void check_refused_memory(std::uint64_t) {
+void check_refused_memory(uint64_t) {
   Memory memory(refusing());
   ParticleStore store(memory, open_space(2), Interaction{}, 1, kInfinity);
   const double x[4] = {1, 2, 3, 4}, r[2] = {5, 6};
@@ -299,7 +299,7 @@ void refused_memory(void **) {
 }
 
 void too_many(void **) {
-  const bool ok = holds(0, [](std::uint64_t) {
+  const bool ok = holds(0, [](uint64_t) {
     Memory memory(hg::system_allocator());
     ParticleStore store(memory, open_space(2), Interaction{}, 1, kInfinity);
     const double x[2] = {0, 0}, r = 0;

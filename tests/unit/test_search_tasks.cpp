@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The cut of a search into tasks: together they hold each level with itself and with all finer ones, nothing twice.
-#include "checks.hpp"
-#include "crowd.hpp"
-#include "search_tasks.hpp"
+#include "src/search/search_tasks.hpp"
+#include "tests/unit/checks.hpp"
+#include "tests/unit/crowd.hpp"
 
 #include <map>
 #include <tuple>
@@ -30,7 +30,7 @@ std::map<Part, Range> expected_parts(const hg::Index &index) {
   return parts;
 }
 
-void check_tasks(std::uint64_t seed) {
+void check_tasks(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   CrowdShape shape;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // SizeClasses: classes ascend, hold every particle once and never part equal radii.
-#include "checks.hpp"
-#include "size_classes.hpp"
+#include "src/levels/size_classes.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ using hg::SizeClasses;
 // What both ways to make classes promise, counted afresh from the radii.
 void require_classes(const SizeClasses &classes, const std::vector<double> &radii) {
   int64_t before = 0;
-  for (std::size_t c = 0; c < classes.count(); c++) {
+  for (size_t c = 0; c < classes.count(); c++) {
     const double largest = classes.largest_radius(c);
     require(c == 0 || largest > classes.largest_radius(c - 1), "class %zu does not ascend", c);
     // All particles up to the largest radius of class c are in the classes 0 .. c: hence no equal radii apart.
@@ -59,7 +59,7 @@ std::vector<double> any_radii(Rng &rng) {
   return radii;
 }
 
-void check_any(std::uint64_t seed) {
+void check_any(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   SizeClasses sorted(memory), binned(memory);
@@ -75,7 +75,7 @@ void check_any(std::uint64_t seed) {
 }
 
 // Bins must be narrow: over one octave, neighbouring radii in a bin differ by less than 2 parts in kBins.
-void check_resolution(std::uint64_t seed) {
+void check_resolution(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   SizeClasses classes(memory);
@@ -83,11 +83,11 @@ void check_resolution(std::uint64_t seed) {
   for (double &r : radii) r = rng.uniform(1, 2);
   std::sort(radii.begin(), radii.end());
   classes.bin_radii(radii.data(), radii.size());
-  std::size_t first = 0;
-  for (std::size_t c = 0; c < classes.count(); c++) {
+  size_t first = 0;
+  for (size_t c = 0; c < classes.count(); c++) {
     const double ratio = classes.largest_radius(c) / radii[first];
     require(ratio < 1 + 2.0 / SizeClasses::kBins, "bin %zu spans a ratio of %g", c, ratio);
-    first = static_cast<std::size_t>(classes.particles(0, c));
+    first = static_cast<size_t>(classes.particles(0, c));
   }
 }
 
@@ -95,7 +95,7 @@ void any_radii_in_classes(void **) { assert_true(sweep(60, check_any)); }
 void bins_are_narrow(void **) { assert_true(sweep(3, check_resolution)); }
 
 void ratio_1e300(void **) {
-  const bool ok = holds(0, [](std::uint64_t) {
+  const bool ok = holds(0, [](uint64_t) {
     hg::Memory memory(hg::system_allocator());
     SizeClasses classes(memory);
     const std::vector<double> radii = {1e150, 1e-150, 1, 1e-150, 0, 5e-324, 1.7e308};
@@ -107,7 +107,7 @@ void ratio_1e300(void **) {
 }
 
 void no_particles(void **) {
-  const bool ok = holds(0, [](std::uint64_t) {
+  const bool ok = holds(0, [](uint64_t) {
     hg::Memory memory(hg::system_allocator());
     SizeClasses classes(memory);
     const double one = 1;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // SparseRows against brute force: clusters far apart, several levels one after the other.
-#include "checks.hpp"
-#include "sparse_rows.hpp"
+#include "src/index/sparse_rows.hpp"
+#include "tests/unit/checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ struct Box {
 
 class Scene {
  public:
-  Scene(std::uint64_t seed, hg::Memory &memory)
+  Scene(uint64_t seed, hg::Memory &memory)
       : rng_(seed),
         dimension_(rng_.integer(2, 3)),
         scale_(std::pow(10, rng_.chance(0.3) ? rng_.uniform(-300, 300) : 0)),
@@ -200,7 +200,7 @@ class Scene {
   std::vector<Level> levels_;
 };
 
-void check_scene(std::uint64_t seed) {
+void check_scene(uint64_t seed) {
   hg::Memory memory(hg::system_allocator());
   Scene(seed, memory).check();
 }
@@ -208,7 +208,7 @@ void check_scene(std::uint64_t seed) {
 void clusters_far_apart(void **) { assert_true(sweep(300, check_scene)); }
 
 // Row numbers never go down with the position, and never overflow.
-void check_rows(std::uint64_t seed) {
+void check_rows(uint64_t seed) {
   Rng rng(seed);
   SparseLevel level;
   level.width = std::ldexp(1.0, rng.integer(-1074, 1000));

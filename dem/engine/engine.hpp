@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A running simulation, whatever its dimension, effects and precision. All that is chosen at run time is chosen here,
+// once: a call of the engine does whole steps.
+#pragma once
+
+#include "dem/engine/checkpoint.hpp"
+#include "dem/engine/setup.hpp"
+
+#include <hgrid/hgrid.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace dem {
+
+// The state at the time of a step, of all particles in order.
+struct Snapshot {
+  int dimension = 3;
+  double time = 0;
+  std::vector<double> centers, velocities;  // [count][dimension]; centres inside the box on periodic axes
+  std::vector<double> radii, masses;
+  std::vector<double> spins;  // [count][3], or [count] in two dimensions; empty without friction
+};
+
+// Sums over all particles and contacts at the time of a step.
+struct Measurement {
+  double time = 0;
+  double translation = 0, rotation = 0;  // kinetic energy
+  double contact = 0;  // elastic energy of contacts, less that of adhesion; tangential springs included
+  double gravity = 0;  // potential energy, 0 at the origin
+  double momentum[3]{};
+  double angular_momentum[3]{};            // about the origin, spins included; one component in two dimensions
+  size_t contacts = 0, wall_contacts = 0;  // that overlap
+  double largest_overlap = 0;              // over the radius of the smaller particle
+  double virial = 0;                       // sum over pairs of (elastic force x distance of the centres)
+
+  double energy() const { return translation + rotation + contact + gravity; }
+};
+
+class Engine {
+ public:
+  Engine() = default;
+  virtual ~Engine() = default;
+  Engine(const Engine &) = delete;
+  Engine &operator=(const Engine &) = delete;
+
+  virtual void run(uint64_t steps) = 0;
+
+  // Both leave the further course as it is, to the last bit.
+  virtual Measurement measure() = 0;
+  virtual Snapshot snapshot() = 0;
+
+  virtual uint64_t steps_done() const = 0;
+  virtual double time() const = 0;
+  virtual size_t pair_count() const = 0;   // pairs that the last step looked at
+  virtual size_t state_bytes() const = 0;  // arrays of the particles and contacts, without the library's
+  virtual hg_grid_stats grid_stats() const = 0;
+
+  // A simulation of the same setup that is restored goes on to the same bits.
+  virtual void save(Checkpoint &checkpoint) const = 0;
+  virtual void restore(const Checkpoint &checkpoint) = 0;
+};
+
+enum class Precision { kDouble, kFloat };
+
+// Checks the setup and its time step and makes the engine for it, its state in numbers of this precision.
+// Throws Error naming what is wrong.
+std::unique_ptr<Engine> make_engine(const Setup &setup, Precision precision = Precision::kDouble);
+
+}  // namespace dem

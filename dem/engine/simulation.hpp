@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The engine of one dimension and precision: the order of work within a step.
+#pragma once
+
+#include "dem/engine/bodies.hpp"
+#include "dem/engine/boundary.hpp"
+#include "dem/engine/contact_memory.hpp"
+#include "dem/engine/contact_search.hpp"
+#include "dem/engine/engine.hpp"
+#include "dem/engine/motion_kernel.hpp"
+#include "dem/engine/pair_kernel.hpp"
+#include "dem/engine/wall_kernel.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace dem {
+
+// The state between two steps is (x_n, v, forces not yet reckoned), v lagging as the scheme says; or, after someone
+// looked at it, the same with the forces of x_n reckoned. Both go on to the same bits.
+template <int D, class Real>
+class Simulation final : public Engine {
+ public:
+  // The setup's particles stand in `order`; what is shown comes in the order they were given in.
+  Simulation(const Setup &setup, std::vector<uint32_t> order);
+
+  void run(uint64_t steps) override;
+  Measurement measure() override;
+  Snapshot snapshot() override;
+
+  uint64_t steps_done() const override { return steps_; }
+  double time() const override { return static_cast<double>(steps_) * setup_.time_step; }
+  size_t pair_count() const override { return pairs_.count; }
+  size_t state_bytes() const override;
+  hg_grid_stats grid_stats() const override { return search_.stats(); }
+
+  void save(Checkpoint &checkpoint) const override;
+  void restore(const Checkpoint &checkpoint) override;
+
+ private:
+  void load_bodies(const Setup &setup);
+  void list_wall_contacts();
+  Real wall_range() const;
+
+  void find_pairs();
+  void find_forces();
+  void add_pair_forces();
+  void advance(const Stage &stage);
+  void grow();
+  void cross_sheared_faces();
+
+  // The state at the time of the step, in the order of the arrays; centres not yet brought into the box.
+  Snapshot state_now();
+
+  double position_time() const;
+  double image_offset() const;
+  const double *centers();
+  const double *radii();
+
+  Setup setup_;                  // without its arrays of particles
+  std::vector<uint32_t> order_;  // place in what was given of each particle
+  int threads_;
+  Bodies<D, Real> bodies_;
+  Boundary<D, Real> boundary_;
+  Vec<D, Real> gravity_;
+  Real drag_;  // 6 pi eta
+  ContactLaw<Real> pair_law_, wall_law_;
+  PairKernel<D, Real> pair_kernel_;
+  WallKernel<D, Real> wall_kernel_ = nullptr;
+  MotionKernel<D, Real> motion_kernel_;
+
+  ContactSearch search_;
+  std::vector<double> staged_centers_, staged_radii_;  // in double for the library (float state only)
+  PairView pairs_;
+  std::vector<PairEffort<D, Real>> efforts_;         // several threads
+  std::vector<std::vector<hg_pair>> walls_of_part_;  // by thread
+  std::vector<hg_pair> wall_contacts_;
+  ContactMemory<D, Real> pair_memory_, wall_memory_;
+
+  uint64_t steps_ = 0;
+  double last_drift_ = 0;  // time between the present forces and those before
+  bool forces_known_ = false, pairs_known_ = false, radii_new_ = false;
+};
+
+}  // namespace dem

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The tables of a scene that switch effects on, and the contact law.
+#pragma once
+
+#include "dem/engine/setup.hpp"
+#include "dem/scene/table.hpp"
+
+namespace scene {
+
+// Sets the effects of the setup, all but walls, and their numbers; also the periodic axes.
+void read_effects(const Table &top, dem::Setup &setup);
+
+// Adds u_x = rate (y - middle of the box) to the velocities, if there is shear.
+void add_shear_profile(dem::Setup &setup);
+
+}  // namespace scene

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The particles of a scene: masses and first motion of each group.
+#include "dem/scene/particles.hpp"
+
+#include "dem/engine/error.hpp"
+#include "dem/scene/sources.hpp"
+#include "packing/random.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scene {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+double volume(double radius, int dimension) {
+  return dimension == 2 ? kPi * radius * radius : 4 * kPi / 3 * radius * radius * radius;
+}
+
+// kT at which the mean overlap of two of the smallest particles is the given share of their radius: they meet with the
+// flux-weighted mean speed sqrt(pi kT / m) and overlap by that times sqrt(m / (2 k)).
+double temperature_of_overlap(const Table &table, const dem::Setup &setup, double overlap, double smallest) {
+  if (!(setup.contact.stiffness > 0)) table.fail("overlap", "is for linear contacts: give a temperature");
+  const double depth = overlap * smallest;
+  return 2 * setup.contact.stiffness * depth * depth / kPi;
+}
+
+// Adds velocities of this temperature to the particles from `first` on, and takes out the drift of the group.
+void heat(const Table &table, double temperature, size_t first, dem::Setup &setup) {
+  const auto dimension = static_cast<size_t>(setup.dimension);
+  packing::Random random(table.count("seed", 1));
+  std::vector<double> momentum(dimension, 0.0);
+  double mass = 0;
+  for (size_t i = first; i < setup.count(); i++) {
+    const double speed = std::sqrt(temperature / setup.masses[i]);
+    mass += setup.masses[i];
+    for (size_t k = 0; k < dimension; k++) {
+      const double v = speed * random.normal();
+      setup.velocities[i * dimension + k] += v;
+      momentum[k] += setup.masses[i] * v;
+    }
+  }
+  for (size_t i = first; i < setup.count(); i++) {
+    for (size_t k = 0; k < dimension; k++) setup.velocities[i * dimension + k] -= momentum[k] / mass;
+  }
+}
+
+void set_temperature(const Table &table, size_t first, dem::Setup &setup) {
+  if (table.has("temperature") && table.has("overlap")) table.fail("overlap", "stands instead of temperature");
+  double temperature = table.number("temperature", 0);
+  if (table.has("overlap")) {
+    const auto from = setup.radii.begin() + static_cast<ptrdiff_t>(first);
+    temperature =
+        temperature_of_overlap(table, setup, table.number("overlap"), *std::min_element(from, setup.radii.end()));
+  }
+  if (temperature < 0) table.fail("temperature", dem::text(temperature) + " is negative");
+  if (temperature == 0) return;
+  if (table.flag("fixed", false)) table.fail("fixed", "fixed particles have no temperature");
+  heat(table, temperature, first, setup);
+}
+
+}  // namespace
+
+particles::ParticleSet add_particles(const Table &table, const std::string &folder, dem::Setup &setup) {
+  particles::ParticleSet set = read_source(table, folder, setup);
+  if (set.count() == 0) table.fail("file", "there is no particle in this group");
+  const auto dimension = static_cast<size_t>(setup.dimension);
+  const size_t first = setup.count(), spin_size = dimension == 3 ? 3 : 1;
+  const Unit density_unit{-setup.dimension, 0, 1};
+  const double density = table.number("density", 1, density_unit);
+  if (!(density > 0)) table.fail("density", dem::text(density) + " is not above 0");
+  const bool fixed = table.flag("fixed", false);
+  const std::vector<double> velocity = table.vector("velocity", dimension, 0),
+                            spin = table.vector("spin", spin_size, 0);
+  if (table.has("spin") && !has(setup.effects, dem::kFriction)) {
+    table.fail("spin", "without [friction] particles do not rotate");
+  }
+  for (const double radius : set.radii) {
+    setup.radii.push_back(radius);
+    setup.masses.push_back(fixed ? dem::kImmovable : density * volume(radius, setup.dimension));
+    setup.velocities.insert(setup.velocities.end(), velocity.begin(), velocity.end());
+    if (has(setup.effects, dem::kFriction)) setup.spins.insert(setup.spins.end(), spin.begin(), spin.end());
+  }
+  setup.centers.insert(setup.centers.end(), set.centers.begin(), set.centers.end());
+  set_temperature(table, first, setup);
+  return set;
+}
+
+}  // namespace scene

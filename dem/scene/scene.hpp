@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A scene: what a TOML file says about a simulation.
+#pragma once
+
+#include "dem/engine/engine.hpp"
+#include "dem/engine/setup.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace scene {
+
+struct OutputPlan {
+  std::string directory;
+  std::vector<std::string> formats;
+  // In steps; 0: never.
+  uint64_t pictures = 0, energies = 0, checkpoints = 0;
+};
+
+struct Scene {
+  std::string title;
+  dem::Setup setup;
+  dem::Precision precision = dem::Precision::kDouble;
+  uint64_t steps = 0;
+  double shortest_contact = 0;
+  OutputPlan output;
+};
+
+// Reads a scene and makes its particles. Throws dem::Error naming file and line of what is wrong.
+Scene read_scene(const std::string &path);
+
+}  // namespace scene

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A packing handed to the library to be searched for overlaps.
+#include "packing/event/overlaps.hpp"
+
+#include "particles/grid_pointer.hpp"
+
+namespace packing::event {
+
+size_t count_overlaps(const Box &box, const std::vector<Vector> &centers, const std::vector<double> &radii) {
+  hg_grid_def def = hg_default_grid_def();
+  box.describe(def);
+  def.accuracy = HG_EXACT;
+  const particles::GridPointer grid = particles::create_grid(def);
+  std::vector<double> flat;
+  flat.reserve(centers.size() * static_cast<size_t>(box.dimension()));
+  for (const Vector &center : centers) flat.insert(flat.end(), center.data(), center.data() + box.dimension());
+  particles::require(hg_insert(grid.get(), radii.size(), flat.data(), radii.data()));
+  const hg_pair *pairs = nullptr;
+  size_t count = 0;
+  particles::require(hg_query_pairs(grid.get(), &pairs, &count));
+  return count;
+}
+
+size_t count_beyond_walls(const Box &box, const std::vector<Vector> &centers, const std::vector<double> &radii) {
+  size_t count = 0;
+  for (size_t i = 0; i < centers.size(); i++) {
+    bool beyond = false;
+    for (int k = 0; k < box.dimension(); k++) {
+      if (box.is_periodic(k)) continue;
+      beyond = beyond || centers[i][k] - radii[i] < 0 || centers[i][k] + radii[i] > box.edge(k);
+    }
+    if (beyond) count++;
+  }
+  return count;
+}
+
+}  // namespace packing::event

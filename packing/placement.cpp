@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Particles thrown class by class, from the largest radii down, against a grid that holds the larger classes.
+#include "packing/placement.hpp"
+
+#include "packing/grid_def.hpp"
+#include "packing/relaxation.hpp"
+#include "particles/error.hpp"
+#include "particles/grid_handle.hpp"
+
+#include <hgrid/hgrid.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace packing {
+namespace {
+
+// Radii within this factor are one class: particles that may be thrown onto each other.
+constexpr double kClassRatio = 2.5;
+// Dense packings leave at least a few per cent of the volume free; so many misses in a row mean there is no room.
+constexpr int kMostThrows = 10000;
+constexpr int kClassSweeps = 20;
+
+bool inside_a_larger_one(particles::Grid &grid, const double *center) {
+  const int32_t *ids = nullptr;
+  size_t count = 0;
+  particles::check(hg_query_sphere(grid.get(), center, 0, &ids, &count));
+  return count > 0;
+}
+
+// The members' centres are thrown and they join `placed`, whose centres `larger` holds.
+void place_class(Thrower &thrower, particles::Grid &larger, const std::vector<double> &radii,
+                 particles::ParticleSet &placed) {
+  const size_t d = static_cast<size_t>(placed.dimension);
+  for (const double radius : radii) {
+    double center[3];
+    int throws = 0;
+    do {
+      if (++throws > kMostThrows) throw particles::Error("no room left for a particle: lower the density");
+      thrower(radius, center);
+    } while (inside_a_larger_one(larger, center));
+    placed.centers.insert(placed.centers.end(), center, center + d);
+    placed.radii.push_back(radius);
+  }
+}
+
+}  // namespace
+
+void place_at_random(const Container &container, Arrangement arrangement, packing::Random &random,
+                     particles::ParticleSet &set) {
+  Thrower thrower(arrangement, container, random);
+  set.centers.assign(set.count() * static_cast<size_t>(container.dimension), 0.0);
+  std::vector<size_t> order(set.count());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&set](size_t a, size_t b) { return set.radii[a] > set.radii[b]; });
+
+  particles::ParticleSet placed = container.empty_set();
+  const hg_grid_def def = grid_def(container);
+  for (auto first = order.begin(); first != order.end();) {
+    const double smallest = set.radii[*first] / kClassRatio;
+    const auto last = std::find_if(first, order.end(), [&](size_t i) { return set.radii[i] < smallest; });
+    std::vector<double> radii;
+    for (auto i = first; i != last; i++) radii.push_back(set.radii[*i]);
+    particles::Grid larger(def);
+    larger.insert(placed);
+    place_class(thrower, larger, radii, placed);
+    if (last != order.end()) relax(container, kClassSweeps, nullptr, placed);
+    first = last;
+  }
+  const size_t d = static_cast<size_t>(container.dimension);
+  for (size_t k = 0; k < order.size(); k++) {
+    std::copy_n(&placed.centers[k * d], d, &set.centers[order[k] * d]);
+  }
+}
+
+}  // namespace packing

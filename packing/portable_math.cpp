@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Newton's iteration where it runs one way, so that it ends without a tolerance, and power series.
+#include "packing/portable_math.hpp"
+
+#include <cmath>
+
+namespace packing {
+namespace {
+
+// Phi(x) - 1/2 = phi(x) (x + x^3 / 3 + x^5 / (3 5) + ...): G. Marsaglia, J. Stat. Softw. 11 (2004) 4.
+double upper_half(double x, double density) {
+  double term = x, sum = x;
+  for (int odd = 3;; odd += 2) {
+    term *= x * x / odd;
+    if (!(sum + term > sum)) return density * sum;
+    sum += term;
+  }
+}
+
+// Phi is concave above 0, so from 0 on each step falls short of the root.
+double quantile_above(double half) {
+  constexpr double kOneOverSqrt2Pi = 0.398942280401432677940;
+  double x = 0;
+  for (;;) {
+    const double density = kOneOverSqrt2Pi * exponential(-0.5 * x * x);
+    const double next = x + (half - upper_half(x, density)) / density;
+    if (!(next > x)) return x;
+    x = next;
+  }
+}
+
+}  // namespace
+
+double exponential(double x) {
+  int halvings = 0;
+  for (; x > 0.5 || x < -0.5; halvings++) x *= 0.5;
+  double term = 1, sum = 1;
+  for (int k = 1; k <= 18; k++) {  // 0.5^18 / 18! < 2^-70
+    term *= x / k;
+    sum += term;
+  }
+  for (; halvings > 0; halvings--) sum *= sum;
+  return sum;
+}
+
+double normal_quantile(double p) { return p < 0.5 ? -quantile_above(0.5 - p) : quantile_above(p - 0.5); }
+
+}  // namespace packing

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Functions made of + - * / sqrt alone, which give the same bits on every machine. Those of the C library may differ in
+// their last bit between versions, and with it every coordinate of a packing.
+#pragma once
+
+#include "packing/root.hpp"
+
+namespace packing {
+
+using packing::power;
+using packing::root;
+
+// e^x.
+double exponential(double x);
+
+// The x with Phi(x) = p, Phi the standard normal distribution, 0 <= p <= 1. The ends, which are infinitely far away,
+// give the places where Phi rounds to them, about -8 and 8.
+double normal_quantile(double p);
+
+}  // namespace packing

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Jacobi sweeps: all pushes of one set of contacts are summed before any particle moves.
+#include "packing/relaxation.hpp"
+
+#include "packing/grid_def.hpp"
+#include "particles/grid_handle.hpp"
+
+#include <hgrid/hgrid.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace packing {
+namespace {
+
+// Share of an overlap that one sweep removes. A particle has several contacts, whose pushes add up: at 1 the sweeps
+// overshoot and stop to converge.
+constexpr double kPush = 0.6;
+// The farthest a particle goes in one sweep, in its own radii: beyond that it could jump over a neighbour.
+constexpr double kLongestStep = 0.3;
+
+struct Contact {
+  size_t i, j;
+  double normal[3];  // unit vector from i to j
+  double overlap;
+};
+
+Contact contact_of(const Container &container, const particles::ParticleSet &set, const hg_pair &pair) {
+  const int d = container.dimension;
+  Contact contact{static_cast<size_t>(pair.a), static_cast<size_t>(pair.b), {0, 0, 0}, 0};
+  const double *x_i = &set.centers[contact.i * static_cast<size_t>(d)];
+  const double *x_j = &set.centers[contact.j * static_cast<size_t>(d)];
+  double square = 0;
+  for (int k = 0; k < d; k++) {
+    contact.normal[k] = container.nearest(k, x_j[k] - x_i[k]);
+    square += contact.normal[k] * contact.normal[k];
+  }
+  const double distance = std::sqrt(square);
+  contact.overlap = set.radii[contact.i] + set.radii[contact.j] - distance;
+  if (distance > 0) {
+    for (int k = 0; k < d; k++) contact.normal[k] /= distance;
+  } else {
+    contact.normal[0] = 1;  // coincident centres part along x, the lower id to the left
+  }
+  return contact;
+}
+
+double mass(const particles::ParticleSet &set, size_t i) {
+  const double r = set.radii[i];
+  return set.dimension == 2 ? r * r : r * r * r;
+}
+
+// Adds the contact's push to both particles; the pushes leave their centre of mass where it is.
+void add_push(const particles::ParticleSet &set, const Contact &contact, std::vector<double> &step) {
+  const size_t d = static_cast<size_t>(set.dimension);
+  const double m_i = mass(set, contact.i), m_j = mass(set, contact.j);
+  const double length = kPush * contact.overlap / (m_i + m_j);
+  for (size_t k = 0; k < d; k++) {
+    step[contact.i * d + k] -= length * m_j * contact.normal[k];
+    step[contact.j * d + k] += length * m_i * contact.normal[k];
+  }
+}
+
+void move(const Container &container, const std::vector<double> &steps, particles::ParticleSet &set) {
+  const int d = container.dimension;
+  for (size_t i = 0; i < set.count(); i++) {
+    const double *step = &steps[i * static_cast<size_t>(d)];
+    double *center = &set.centers[i * static_cast<size_t>(d)];
+    double square = 0;
+    for (int k = 0; k < d; k++) square += step[k] * step[k];
+    const double longest = kLongestStep * set.radii[i];
+    const double scale = square > longest * longest ? longest / std::sqrt(square) : 1;
+    for (int k = 0; k < d; k++) center[k] = container.keep(k, center[k] + scale * step[k], set.radii[i]);
+  }
+}
+
+}  // namespace
+
+Overlaps relax(const Container &container, int sweeps, const SweepObserver &observe, particles::ParticleSet &set) {
+  const hg_grid_def def = grid_def(container);
+  particles::Grid grid(def);
+  grid.insert(set);
+  std::vector<double> step(set.centers.size());
+  for (int sweep = 0;; sweep++) {
+    Overlaps found;
+    std::fill(step.begin(), step.end(), 0.0);
+    for (const hg_pair &pair : grid.pairs()) {
+      const Contact contact = contact_of(container, set, pair);
+      const double relative = contact.overlap / std::min(set.radii[contact.i], set.radii[contact.j]);
+      found.contacts++;
+      found.mean += relative;
+      found.largest = std::max(found.largest, relative);
+      add_push(set, contact, step);
+    }
+    if (found.contacts > 0) found.mean /= static_cast<double>(found.contacts);
+    if (observe) observe(sweep, found);
+    if (sweep == sweeps || found.contacts == 0) return found;
+    move(container, step, set);
+    grid.move(set);
+  }
+}
+
+}  // namespace packing

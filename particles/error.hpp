@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The one exception of the command: a text ready to be shown after "hgrid: ".
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+
+namespace particles {
+
+class Error : public std::runtime_error {
+ public:
+  explicit Error(const std::string &message) : std::runtime_error(message) {}
+
+  // A fault in a file; line 0 means the file as a whole.
+  Error(const std::string &file, size_t line, const std::string &message)
+      : std::runtime_error(file + ":" + (line > 0 ? std::to_string(line) + ":" : "") + " " + message) {}
+};
+
+}  // namespace particles

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Which columns of a table hold the particles, and the rows read through them.
+#include "particles/files/columns.hpp"
+
+#include "particles/text/number.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace particles {
+namespace {
+
+std::string joined(const std::vector<std::string> &names) {
+  std::string result;
+  for (const std::string &name : names) result += (result.empty() ? "" : ", ") + name;
+  return in_quotes(result);
+}
+
+// The end of the field that starts at `first`.
+size_t field_end(std::string_view line, size_t first, char separator) {
+  if (separator != kBlanks) return std::min(line.find(separator, first), line.size());
+  while (first < line.size() && line[first] != ' ' && line[first] != '\t') first++;
+  return first;
+}
+
+size_t skip_blanks(std::string_view line, size_t first) {
+  while (first < line.size() && (line[first] == ' ' || line[first] == '\t')) first++;
+  return first;
+}
+
+}  // namespace
+
+int find_column(const LineCursor &cursor, const Columns &columns, std::string_view name) {
+  int found = -1;
+  for (size_t k = 0; k < columns.names.size(); k++) {
+    if (columns.names[k] != name) continue;
+    if (found >= 0) cursor.fail("column " + in_quotes(name) + " is named twice");
+    found = static_cast<int>(k);
+  }
+  return found;
+}
+
+void find_size_column(const LineCursor &cursor, Columns &columns) {
+  for (const char *name : {"r", "radius", "d", "diameter"}) {
+    const int found = find_column(cursor, columns, name);
+    if (found < 0) continue;
+    if (columns.size >= 0)
+      cursor.fail("columns " + in_quotes(columns.names[static_cast<size_t>(columns.size)]) + " and " + in_quotes(name) +
+                  " both give the size");
+    columns.size = found;
+    columns.is_diameter = name[0] == 'd';
+  }
+  if (columns.size < 0) cursor.fail("no column radius, r, diameter or d among " + joined(columns.names));
+}
+
+int settle_dimension(const LineCursor &cursor, const Columns &columns, int asked) {
+  for (int axis = 0; axis < (asked == 3 ? 3 : 2); axis++)
+    if (columns.axis[axis] < 0)
+      cursor.fail(std::string("no column ") + "xyz"[axis] + " among " + joined(columns.names));
+  if (asked != 0) return asked;
+  return columns.axis[2] < 0 ? 2 : 3;
+}
+
+RowReader::RowReader(const LineCursor &cursor, const Columns &columns, ParticleSet &particles)
+    : cursor_(cursor), columns_(columns), particles_(particles), slot_of_column_(columns.names.size(), kUnused) {
+  for (int axis = 0; axis < 3; axis++)
+    if (columns.axis[axis] >= 0) slot_of_column_[static_cast<size_t>(columns.axis[axis])] = Slot(axis);
+  slot_of_column_[static_cast<size_t>(columns.size)] = kSize;
+}
+
+size_t RowReader::split(std::string_view line, std::string_view (&fields)[kSlots]) const {
+  const char separator = columns_.separator;
+  const size_t expected = slot_of_column_.size();
+  size_t count = 0;
+  size_t first = separator == kBlanks ? skip_blanks(line, 0) : 0;
+  while (separator != kBlanks || first < line.size()) {
+    const size_t last = field_end(line, first, separator);
+    if (count < expected && slot_of_column_[count] != kUnused)
+      fields[slot_of_column_[count]] = line.substr(first, last - first);
+    count++;
+    if (last >= line.size()) break;
+    first = separator == kBlanks ? skip_blanks(line, last) : last + 1;
+  }
+  return count;
+}
+
+double RowReader::number(std::string_view field, int column) const {
+  double value = 0;
+  const std::string_view text = columns_.separator == kBlanks ? field : trimmed(field);
+  if (const char *fault = number_fault(text, value))
+    cursor_.fail(in_quotes(text) + " in column " + in_quotes(columns_.names[static_cast<size_t>(column)]) + " " +
+                 fault);
+  return value;
+}
+
+double RowReader::coordinate(std::string_view field, int axis) const {
+  const double value = number(field, columns_.axis[axis]);
+  if (!columns_.scaled[axis]) return value;
+  const double low = particles_.box_min[axis], high = particles_.box_max[axis];
+  const double place = low + value * (high - low);
+  if (!std::isfinite(place)) cursor_.fail(in_quotes(field) + " times the box length is out of the range of a double");
+  return place;
+}
+
+void RowReader::append_center(const std::string_view (&fields)[kSlots]) {
+  for (int axis = 0; axis < particles_.dimension; axis++) particles_.centers.push_back(coordinate(fields[axis], axis));
+  if (particles_.dimension == 3 || columns_.axis[2] < 0) return;
+  const double z = coordinate(fields[kZ], kZ);
+  if (!has_plane_) plane_ = z;
+  has_plane_ = true;
+  if (z != plane_)
+    cursor_.fail("z is " + in_quotes(fields[kZ]) + ", not as in the first row: not a set in two dimensions");
+}
+
+void RowReader::append(std::string_view line) {
+  std::string_view fields[kSlots];
+  const size_t count = split(line, fields);
+  if (count != slot_of_column_.size())
+    cursor_.fail(std::to_string(count) + " values in " + in_quotes(line) + " where there should be " +
+                 std::to_string(slot_of_column_.size()));
+  const double size = number(fields[kSize], columns_.size);
+  if (size < 0)
+    cursor_.fail(in_quotes(trimmed(fields[kSize])) + " in column " +
+                 in_quotes(columns_.names[static_cast<size_t>(columns_.size)]) + " is negative");
+  append_center(fields);
+  particles_.radii.push_back(columns_.is_diameter ? size / 2 : size);
+}
+
+}  // namespace particles

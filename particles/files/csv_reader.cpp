@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables with a header line: CSV and its relatives.
+#include "particles/files/columns.hpp"
+#include "particles/files/readers.hpp"
+#include "particles/files/writers.hpp"
+#include "particles/text/number.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace particles {
+namespace {
+
+char separator_of(std::string_view header) {
+  for (const char letter : {',', ';', '\t'})
+    if (header.find(letter) != std::string_view::npos) return letter;
+  return kBlanks;
+}
+
+std::string_view without_quotes(std::string_view name) {
+  if (name.size() >= 2 && name.front() == '"' && name.back() == '"') return name.substr(1, name.size() - 2);
+  return name;
+}
+
+std::vector<std::string> column_names(std::string_view header, char separator) {
+  std::vector<std::string> names;
+  if (separator == kBlanks) {
+    for (const std::string_view word : split_words(header)) names.push_back(lower_case(without_quotes(word)));
+    return names;
+  }
+  for (size_t first = 0; first <= header.size();) {
+    const size_t last = std::min(header.find(separator, first), header.size());
+    names.push_back(lower_case(without_quotes(trimmed(header.substr(first, last - first)))));
+    first = last + 1;
+  }
+  return names;
+}
+
+Columns columns_of(const LineCursor &cursor, std::string_view header) {
+  Columns columns;
+  columns.separator = separator_of(header);
+  columns.names = column_names(header, columns.separator);
+  double value = 0;
+  if (number_fault(columns.names.front(), value) == nullptr)
+    cursor.fail("the first line must name the columns (such as x,y,z,radius), but it holds " + in_quotes(header));
+  for (int axis = 0; axis < 3; axis++)
+    columns.axis[axis] = find_column(cursor, columns, std::string_view("xyz").substr(static_cast<size_t>(axis), 1));
+  find_size_column(cursor, columns);
+  return columns;
+}
+
+// "# box: xmin ymin zmin xmax ymax zmax periodic 0 0 0"
+void read_box(const LineCursor &cursor, std::string_view line, ParticleSet &particles) {
+  const std::vector<std::string_view> words = split_words(line.substr(sizeof kBoxComment - 1));
+  if (words.size() != 10 || words[6] != "periodic")
+    cursor.fail("the box must be six numbers, the word periodic and three flags, but the line is " + in_quotes(line));
+  for (size_t axis = 0; axis < 3; axis++) {
+    for (const size_t end : {axis, axis + 3}) {
+      double &corner = end == axis ? particles.box_min[axis] : particles.box_max[axis];
+      if (const char *fault = number_fault(words[end], corner))
+        cursor.fail("box: " + in_quotes(words[end]) + " " + fault);
+    }
+    if (particles.box_max[axis] < particles.box_min[axis])
+      cursor.fail("box: the upper corner " + in_quotes(words[axis + 3]) + " lies below the lower corner " +
+                  in_quotes(words[axis]));
+    const std::string_view flag = words[axis + 7];
+    if (flag != "0" && flag != "1") cursor.fail("box: the flag " + in_quotes(flag) + " is neither 0 nor 1");
+    particles.periodic[axis] = flag == "1";
+  }
+  particles.has_box = true;
+}
+
+}  // namespace
+
+ParticleSet read_csv(const TextFile &file, const ReadOptions &options) {
+  LineCursor cursor(file);
+  ParticleSet particles;
+  if (options.frame > 1)
+    cursor.fail(0, "frame " + std::to_string(options.frame) + " of a CSV file, which has only one");
+  Columns columns;
+  std::optional<RowReader> rows;
+  std::string_view line;
+  while (cursor.next(line)) {
+    if (line.substr(0, sizeof kBoxComment - 1) == kBoxComment) {
+      if (particles.has_box) cursor.fail("a second box");
+      read_box(cursor, line, particles);
+      continue;
+    }
+    const std::string_view content = trimmed(line);
+    if (content.empty() || content.front() == '#') continue;
+    if (rows) {
+      rows->append(line);
+      continue;
+    }
+    columns = columns_of(cursor, line);
+    particles.dimension = settle_dimension(cursor, columns, options.dimension);
+    rows.emplace(cursor, columns, particles);
+  }
+  if (!rows) cursor.fail("no line names the columns (such as x,y,z,radius)");
+  return particles;
+}
+
+}  // namespace particles

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// LAMMPS text dumps ("dump custom"), one or several frames.
+#include "particles/files/columns.hpp"
+#include "particles/files/readers.hpp"
+#include "particles/text/number.hpp"
+
+#include <algorithm>
+
+namespace particles {
+namespace {
+
+struct Frame {
+  size_t count = 0;
+  Columns columns;
+  ParticleSet box;  // dimension 3, no particles
+  LineCursor::Position rows;
+};
+
+std::string_view section_name(const LineCursor &cursor, std::string_view line) {
+  if (line.substr(0, 6) != "ITEM: ") cursor.fail("a line 'ITEM: ...' should stand here, not " + in_quotes(line));
+  return trimmed(line.substr(6));
+}
+
+bool begins(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
+
+// "BOX BOUNDS pp pp ff" and three lines "low high".
+void read_bounds(LineCursor &cursor, std::string_view name, ParticleSet &box) {
+  const std::vector<std::string_view> flags = split_words(name.substr(std::string_view("BOX BOUNDS").size()));
+  if (flags.empty()) cursor.fail("the boundary flags (such as pp pp ff) are missing");
+  if (flags.size() != 3) cursor.fail("triclinic boxes cannot be read, this one is " + in_quotes(name));
+  for (size_t axis = 0; axis < 3; axis++) {
+    if (flags[axis].size() != 2 || flags[axis].find_first_not_of("pfsm") != std::string_view::npos)
+      cursor.fail("the boundary flag " + in_quotes(flags[axis]) + " is unknown");
+    box.periodic[axis] = flags[axis] == "pp";
+  }
+  for (size_t axis = 0; axis < 3; axis++) {
+    const std::string_view line = cursor.expect("a line of the box bounds");
+    const std::vector<std::string_view> ends = split_words(line);
+    if (ends.size() != 2) cursor.fail("a lower and an upper bound should stand here, not " + in_quotes(line));
+    if (const char *fault = number_fault(ends[0], box.box_min[axis])) cursor.fail(in_quotes(ends[0]) + " " + fault);
+    if (const char *fault = number_fault(ends[1], box.box_max[axis])) cursor.fail(in_quotes(ends[1]) + " " + fault);
+    if (box.box_max[axis] < box.box_min[axis])
+      cursor.fail("the upper bound " + in_quotes(ends[1]) + " lies below the lower bound " + in_quotes(ends[0]));
+  }
+  box.has_box = true;
+}
+
+// x, xu (unwrapped), xs (scaled) or xsu; the first that is there.
+void find_axis(const LineCursor &cursor, Columns &columns, int axis) {
+  for (const char *kind : {"", "u", "s", "su"}) {
+    columns.axis[axis] = find_column(cursor, columns, std::string(1, "xyz"[axis]) + kind);
+    columns.scaled[axis] = kind[0] == 's';
+    if (columns.axis[axis] >= 0) return;
+  }
+}
+
+// Reads the head of a frame up to the rows, which it leaves to the caller. False at the end of the file.
+bool read_head(LineCursor &cursor, Frame &frame) {
+  bool has_count = false;
+  std::string_view line;
+  while (cursor.next(line)) {
+    if (trimmed(line).empty()) continue;
+    const std::string_view name = section_name(cursor, line);
+    if (name == "TIMESTEP" || name == "TIME" || name == "UNITS") {
+      cursor.expect("the value of " + in_quotes(name));
+    } else if (name == "NUMBER OF ATOMS") {
+      const std::string_view count = trimmed(cursor.expect("the number of atoms"));
+      has_count = read_count(count, frame.count);
+      if (!has_count) cursor.fail("the number of atoms should stand here, not " + in_quotes(count));
+    } else if (begins(name, "BOX BOUNDS")) {
+      read_bounds(cursor, name, frame.box);
+    } else if (begins(name, "ATOMS")) {
+      if (!has_count || !frame.box.has_box) cursor.fail("NUMBER OF ATOMS and BOX BOUNDS must stand before ATOMS");
+      for (const std::string_view word : split_words(name.substr(5))) frame.columns.names.emplace_back(word);
+      for (int axis = 0; axis < 3; axis++) find_axis(cursor, frame.columns, axis);
+      find_size_column(cursor, frame.columns);
+      frame.rows = cursor.position();
+      return true;
+    } else {
+      cursor.fail("the section " + in_quotes(name) + " is unknown");
+    }
+  }
+  if (has_count || frame.box.has_box) cursor.fail("the file ends here, the line 'ITEM: ATOMS ...' is missing");
+  return false;
+}
+
+[[noreturn]] void fail_short(const LineCursor &cursor, size_t got, size_t count) {
+  cursor.fail("the file ends here with " + std::to_string(got) + " of " + std::to_string(count) + " atoms");
+}
+
+// The frame asked for, or the last; the cursor is put at its rows.
+Frame find_frame(LineCursor &cursor, long asked) {
+  Frame chosen, frame;
+  long found = 0;
+  while ((asked == 0 || found < asked) && read_head(cursor, frame)) {
+    found++;
+    chosen = std::move(frame);
+    frame = Frame();
+    const size_t got = cursor.skip(chosen.count);
+    if (got < chosen.count) fail_short(cursor, got, chosen.count);
+  }
+  if (found == 0) cursor.fail("the file has no frame");
+  if (found < asked) cursor.fail("frame " + std::to_string(asked) + " of a file with " + std::to_string(found));
+  cursor.seek(chosen.rows);
+  return chosen;
+}
+
+}  // namespace
+
+ParticleSet read_lammps(const TextFile &file, const ReadOptions &options) {
+  LineCursor cursor(file);
+  const Frame frame = find_frame(cursor, options.frame);
+  ParticleSet particles = frame.box;
+  particles.dimension = settle_dimension(cursor, frame.columns, options.dimension);
+  const size_t expected = std::min(frame.count, frame.columns.most_rows(cursor.bytes_left()));
+  particles.centers.reserve(expected * static_cast<size_t>(particles.dimension));
+  particles.radii.reserve(expected);
+  RowReader rows(cursor, frame.columns, particles);
+  std::string_view line;
+  for (size_t k = 0; k < frame.count; k++) {
+    if (!cursor.next(line)) fail_short(cursor, k, frame.count);
+    rows.append(line);
+  }
+  return particles;
+}
+
+}  // namespace particles

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading particles from a file of any known format.
+#pragma once
+
+#include "particles/files/format.hpp"
+#include "particles/particle_set.hpp"
+
+#include <optional>
+#include <string>
+
+namespace particles {
+
+struct ReadOptions {
+  std::optional<Format> format;  // nothing: by content, then by the ending of the name, then CSV
+  long frame = 0;                // of a file with several: 1 is the first, 0 the last
+  int dimension = 0;             // 0: as the file says; 2: leave z out, which must then be the same in all rows
+};
+
+// Reads `path`; "-" is standard input. Shows progress on a terminal if the file is large.
+// Throws Error naming file, line and value if the file is not what it should be.
+ParticleSet read_particles(const std::string &path, const ReadOptions &options = {});
+
+}  // namespace particles

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// hgrid_compare: measures the library, plain searches and other programs side by side, and checks that all find the
+// same pairs. Exit code 0 only if they do.
+#include "programs/bench/library_searches.hpp"
+#include "programs/bench/machine.hpp"
+#include "programs/bench/program.hpp"
+#include "programs/bench/results.hpp"
+#include "programs/bench/sweeps.hpp"
+#include "programs/bench/verdict.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+struct Options {
+  std::vector<std::string> sources;
+  std::string sweep;
+  int relaxation = 10;
+  bench::Effort effort;
+  std::vector<std::string> only, skip;
+  std::vector<int> threads;
+  std::string csv;
+  bool list = false;
+};
+
+const bench::Sweep &sweep_of(const std::string &name) {
+  const auto &sweeps = bench::all_sweeps();
+  return *std::find_if(sweeps.begin(), sweeps.end(), [&](const bench::Sweep &sweep) { return sweep.name == name; });
+}
+
+std::vector<bench::Contestant> contestants_of(const Options &options, const bench::System &system,
+                                              const std::vector<std::string> &isas) {
+  auto all = chosen(sweep_of(options.sweep).contestants(system, isas), isas, options.only, options.skip);
+  const auto unwanted = [&](const bench::Contestant &contestant) {
+    return !options.threads.empty() &&
+           std::find(options.threads.begin(), options.threads.end(), contestant.threads) == options.threads.end();
+  };
+  all.erase(std::remove_if(all.begin(), all.end(), unwanted), all.end());
+  return all;
+}
+
+// Time steps end elsewhere than they begin, and there the pairs are checked.
+particles::ParticleSet where_steps_end(const bench::Sweep &sweep, const particles::ParticleSet &particles) {
+  const double unit = *std::min_element(particles.radii.begin(), particles.radii.end());
+  return bench::moved(particles, sweep.steps, sweep.step_length * unit);
+}
+
+std::string words_about(const bench::Reference &reference) {
+  std::string text = std::to_string(reference.pair_count()) + " pairs in exact arithmetic";
+  if (reference.rounded() == 0) return text + ", the same in doubles";
+  return text + "; plain doubles decide " + std::to_string(reference.rounded()) +
+         " otherwise, which touch within rounding";
+}
+
+class Comparison {
+ public:
+  explicit Comparison(const Options &options) : options_(&options), isas_(bench::usable_instruction_sets()) {}
+
+  void measure(const std::string &source) {
+    const bench::Sweep &sweep = sweep_of(options_->sweep);
+    const bench::System system = bench::load_system(source, options_->relaxation);
+    std::vector<bench::Contestant> contestants = contestants_of(*options_, system, isas_);
+    if (contestants.empty()) throw CLI::ValidationError("--only", "no contestant matches, see --list");
+    drop_those_that_gave_up(contestants);
+    const particles::ParticleSet end =
+        sweep.steps > 0 ? where_steps_end(sweep, system.particles) : particles::ParticleSet();
+    const bench::Reference reference(sweep.steps > 0 ? end : system.particles);
+    bench::Measurement measurement;
+    measurement.sweep = sweep.name;
+    measurement.system = system.name;
+    measurement.size_ratio = system.size_ratio();
+    measurement.particles = system.particles.count();
+    measurement.results = bench::run_rounds(system.particles, contestants, options_->effort, reference);
+    print(measurement);
+    std::printf("\n%s\n", words_about(reference).c_str());
+    check(measurement, reference);
+    measurements_.push_back(std::move(measurement));
+    if (!options_->csv.empty()) write_csv(options_->csv, measurements_);
+  }
+
+  bool good() const { return good_; }
+
+ private:
+  // Along a sweep things get harder.
+  void drop_those_that_gave_up(std::vector<bench::Contestant> &contestants) const {
+    if (options_->sweep.empty()) return;
+    const auto hopeless = [this](const bench::Contestant &c) { return gave_up_.count(key_of(c)) > 0; };
+    contestants.erase(std::remove_if(contestants.begin(), contestants.end(), hopeless), contestants.end());
+  }
+
+  void check(const bench::Measurement &measurement, const bench::Reference &reference) {
+    if (!reference.own_fault().empty()) {
+      std::printf("the library contradicts itself: %s\n", reference.own_fault().c_str());
+      good_ = false;
+    }
+    for (const bench::Result &result : measurement.results) {
+      const std::string key = key_of(result.contestant);
+      if (result.gave_up) {
+        gave_up_.insert(key);
+      } else if (result.chosen && !result.fault.empty()) {
+        std::printf("%s: %s\n", key.c_str(), result.fault.c_str());
+        good_ = false;
+      }
+    }
+    if (good_) std::printf("all searches find the pairs that they must find\n");
+  }
+
+  const Options *options_;
+  std::vector<std::string> isas_;
+  std::vector<bench::Measurement> measurements_;
+  std::set<std::string> gave_up_;
+  bool good_ = true;
+};
+
+void list_contestants(const Options &options) {
+  const std::vector<std::string> isas = bench::usable_instruction_sets();
+  for (const bench::Contestant &contestant : contestants_of(options, bench::load_system("mono:1:10", 0), isas)) {
+    std::printf("%s\n", key_of(contestant).c_str());
+  }
+}
+
+int compare(const Options &options) {
+  if (options.list) {
+    list_contestants(options);
+    return 0;
+  }
+  const std::vector<std::string> &sources = options.sources.empty() ? sweep_of(options.sweep).sources : options.sources;
+  if (sources.empty()) throw CLI::ValidationError("SYSTEM", "name a file or LAW:RATIO:COUNT, or a --sweep");
+  std::printf("%s, %d processors; %s; commit %s\n", bench::processor().c_str(), bench::processor_count(),
+              bench::compiler().c_str(), bench::commit());
+  Comparison comparison(options);
+  for (const std::string &source : sources) comparison.measure(source);
+  if (comparison.good()) return 0;
+  std::fprintf(stderr, "hgrid_compare: the searches do not find the same pairs\n");
+  return 1;
+}
+
+void add_options(CLI::App &command, Options &options) {
+  command.add_option("SYSTEM", options.sources,
+                     "Particle files, or packings to be made, as LAW:RATIO:COUNT, e.g. uniform-volume:50:125001; all "
+                     "axes are taken as open");
+  std::set<std::string> names;
+  std::string help = "Measure along one axis, on systems of its own unless some are named:";
+  for (const bench::Sweep &sweep : bench::all_sweeps()) {
+    if (sweep.name.empty()) continue;
+    names.insert(sweep.name);
+    help += ' ' + sweep.name + " (" + sweep.help + ")";
+  }
+  command.add_option("--sweep", options.sweep, help)->check(CLI::IsMember(names));
+  command.add_option("--relax", options.relaxation, "Sweeps that push apart the particles of packings to be made")
+      ->check(CLI::Range(0, 10000))
+      ->capture_default_str();
+  command.add_option("--repeats", options.effort.repeats, "Runs of each contestant after the first, which warms up")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command.add_option("--seconds", options.effort.seconds, "A contestant that has taken that long is not run again")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--patience", options.effort.patience, "Seconds after which a single run is given up")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--only", options.only, "Contestants to measure, as patterns of NAME/VARIANT/ISA/THREADS (all)")
+      ->take_all();
+  command.add_option("--skip", options.skip, "Contestants to leave out, as patterns");
+  command.add_option("--threads", options.threads, "Measure only contestants of these numbers of threads")
+      ->delimiter(',');
+  command.add_option("--csv", options.csv, "Also write the results to this file");
+  command.add_flag("--list", options.list, "Only list the contestants");
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  CLI::App command("Time contact searches side by side and compare their pairs");
+  Options options;
+  add_options(command, options);
+  return bench::run_program(command, "hgrid_compare", argc, argv, [&] { return compare(options); });
+}

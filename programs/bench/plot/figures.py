@@ -1,0 +1,171 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws Figs. 4 and 5 of Ogarko & Luding (2012) from what programs/bench/figures/figure4.sh and figure5.sh have measured:
+
+    python3 programs/bench/plot/figures.py --output docs/images figure4.csv figure5.csv
+
+and prints the values that docs/reproduction.md quotes.
+"""
+
+import argparse
+import math
+import pathlib
+
+from chart import Line, draw_chart
+from measured import STEP_NUMBERS, in_order, read
+
+NAMES = {"library": "libhgrid", "plain": "sorted cells", "hashed": "hashed lists"}
+MOST_FITTED = 20  # levels; with more, memory decides
+OVERHEAD = 0.3  # K of Eq. 7, as in the paper's Fig. 4
+# What the text of the paper says about its Fig. 4: (levels, slow-down).
+PAPER_FIGURE_4 = {"uniform-size": [(1, 1.3), (2, 1)], "uniform-volume": [(1, 220), (8, 1)]}
+PAPER_LARGEST = 1.5  # of Fig. 5: uniform volume, ratio 10
+OURS, COST, FITTED, PAPER = 0, 4, 2, 3
+
+
+def law_of(row):
+    """hgrid_dem calls a system by its scene, LAW-RATIO-COUNT."""
+    return row.system.rsplit("-", 2)[0]
+
+
+def law_text(row):
+    law, ratio, _ = row.system.rsplit("-", 2)
+    return law.replace("-", " ") + (f", ratio {ratio}" if ratio != "1" else "")
+
+
+def solve(matrix, right):
+    """Gauss's elimination with pivots, for the few unknowns of a fit."""
+    rows = [list(row) + [value] for row, value in zip(matrix, right)]
+    size = len(rows)
+    for k in range(size):
+        pivot = max(range(k, size), key=lambda i: abs(rows[i][k]))
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        for i in range(size):
+            if i != k:
+                factor = rows[i][k] / rows[k][k]
+                rows[i] = [a - factor * b for a, b in zip(rows[i], rows[k])]
+    return [rows[k][size] / rows[k][k] for k in range(size)]
+
+
+def fit(columns, times):
+    """Coefficients of the columns that give the times with the least squares of relative errors; a column whose
+    coefficient would be negative is left out."""
+    used = list(range(len(columns)))
+    while True:
+        scaled = [[columns[j][i] / t for i, t in enumerate(times)] for j in used]
+        normal = [[sum(a * b for a, b in zip(p, q)) for q in scaled] for p in scaled]
+        found = solve(normal, [sum(p) for p in scaled])
+        if min(found) >= 0:
+            return [found[used.index(j)] if j in used else 0.0 for j in range(len(columns))]
+        used.pop(found.index(min(found)))
+
+
+def least_scaled(points):
+    least = min(y for _, y in points)
+    return [(x, y / least) for x, y in points]
+
+
+def fit_times(rows):
+    """T = a L (m + K) + c, where c is what does not depend on the grid: a, a K, c."""
+    rows = [r for r in rows if r.levels <= MOST_FITTED]
+    columns = [[r.levels * r.occupancy for r in rows], [r.levels for r in rows], [1.0] * len(rows)]
+    a, b, c = fit(columns, [r.ns for r in rows])
+    return a, b, c
+
+
+def figure_4_panel(rows):
+    rows = sorted(rows, key=lambda r: r.levels)
+    a, overhead_cost, constant = fit_times(rows)
+    overhead = f"{overhead_cost / a:.1f}" if a > 0 else "-"
+    best = min(rows, key=lambda r: r.ns)
+    predicted = least_scaled([(r.levels, r.levels * (r.occupancy + OVERHEAD)) for r in rows])
+    fitted = [(r.levels, (r.levels * (a * r.occupancy + overhead_cost) + constant) / best.ns) for r in rows]
+    measured = [(r.levels, r.ns / best.ns, *(q / best.ns for q in r.spread)) for r in rows]
+    errors = [abs(f[1] / m[1] - 1) for f, m in zip(fitted, measured) if f[0] <= MOST_FITTED]
+    slowdown = {r.levels: f"{r.ns / best.ns:.3g}" for r in rows}
+    print(
+        f"| {law_of(rows[0]).replace('-', ' ')} | {NAMES[best.contestant]} | {best.levels:.0f} | {best.ns:.0f} | "
+        f"{' | '.join(slowdown.get(levels, '-') for levels in (1, 2, 7))} | {a:.2g} | {overhead} | "
+        f"{constant:.0f} | {100 * max(errors):.0f} % |"
+    )
+    return [
+        Line(NAMES[best.contestant], measured, OURS),
+        Line("Eq. 7, K = 0.3", predicted, COST, dashed=True),
+        Line(f"fit, K = {overhead}" if a > 0 else "fit, no m", fitted, FITTED, dashed=True),
+        Line("paper", PAPER_FIGURE_4[law_of(rows[0])], PAPER, dots=True),
+    ]
+
+
+def draw_figure_4(rows, path):
+    head = "system | search | best L | its ns | T(1) / T(best) | T(2) | T(7) | a | K | c | worst of the fit"
+    print(f"| {head} |\n" + "|---" * 11 + "|")
+    panels = []
+    for name in in_order(r.contestant for r in rows):
+        for law in in_order(law_of(r) for r in rows if r.contestant == name):
+            group = [r for r in rows if r.contestant == name and law_of(r) == law]
+            panels.append((f"{law.replace('-', ' ')}, {NAMES[name]}", figure_4_panel(group)))
+    draw_chart(path, panels, "levels L", "slow-down T(L) / T(best)")
+
+
+def program_text(row):
+    return NAMES[row.contestant] + (f", skin {row.skin:g}" if row.skin else "")
+
+
+def slope(points):
+    """Of log y against log x, by least squares."""
+    xs, ys = [math.log(p[0]) for p in points], [math.log(p[1]) for p in points]
+    x, y = sum(xs) / len(xs), sum(ys) / len(ys)
+    return sum((u - x) * (v - y) for u, v in zip(xs, ys)) / sum((u - x) ** 2 for u in xs)
+
+
+def relative_times(rows):
+    """Lines of the laws, over equal spheres of the same number."""
+    mono = {r.particles: r.ns for r in rows if law_of(r) == "mono"}
+    lines = []
+    for k, law in enumerate(in_order(law_text(r) for r in rows if law_of(r) != "mono")):
+        points = [(r.particles, r.ns / mono[r.particles]) for r in rows if law_text(r) == law]
+        lines.append(Line(law.replace("uniform ", ""), points, k))
+    return lines
+
+
+def draw_figure_5(rows, path):
+    print("| search | system | " + " | ".join(f"{n:,.0f}" for n in in_order(r.particles for r in rows)), end=" |")
+    print(" slope of T against N |\n" + "|---|---|" + "---|" * (1 + len({r.particles for r in rows})))
+    panels = []
+    for name in in_order(map(program_text, rows)):
+        group = [r for r in rows if program_text(r) == name]
+        lines = relative_times(group)
+        for law in in_order(map(law_text, group)):
+            own = {r.particles: r for r in group if law_text(r) == law}
+            relative = next((dict(x.points) for x in lines if x.label == law.replace("uniform ", "")), None)
+            cells = [
+                "-" if n not in own else f"{relative[n]:.2f}" if relative else f"{own[n].ns:.1f} ns"
+                for n in in_order(r.particles for r in rows)
+            ]
+            steepness = f"{slope([(n, n * r.ns) for n, r in own.items()]):.3f}" if len(own) > 1 else "-"
+            print(f"| {name} | {law} | " + " | ".join(cells) + f" | {steepness} |")
+        counts = [r.particles for r in group]
+        lines.append(Line("paper, largest", [(n, PAPER_LARGEST) for n in (min(counts), max(counts))], PAPER, True))
+        panels.append((name, lines))
+    draw_chart(path, panels, "particles N", "time / time of equal spheres", y_log=False, from_zero=True)
+
+
+FIGURES = {"levels": ("figure4.svg", draw_figure_4), "size": ("figure5.svg", draw_figure_5)}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("csv", nargs="+", help="files written by hgrid_dem --sweep NAME --csv FILE")
+    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("."), help="folder of the pictures")
+    arguments = parser.parse_args()
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    rows = [row for row in read(arguments.csv, STEP_NUMBERS, "hgrid_dem") if row.ns is not None]
+    for sweep in in_order(row.sweep for row in rows if row.sweep):
+        name, draw = FIGURES[sweep]
+        draw([row for row in rows if row.sweep == sweep], arguments.output / name)
+        print(arguments.output / name)
+
+
+if __name__ == "__main__":
+    main()

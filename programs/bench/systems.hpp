@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The particles that are measured: read from a file or made for the occasion.
+#pragma once
+
+#include "particles/particle_set.hpp"
+
+#include <string>
+
+namespace bench {
+
+struct System {
+  std::string name;  // the law, or the file's name without folder and ending
+  particles::ParticleSet particles;
+
+  double size_ratio() const;  // largest over smallest radius
+};
+
+// A file, or LAW:RATIO:COUNT for a packing that is made here and now: the size laws of `hgrid pack` at its density, in
+// random order, thrown at random and relaxed by `sweeps` sweeps only. All axes are taken as open.
+// Throws std::exception if there is no such file or law, or no particle.
+System load_system(const std::string &source, int sweeps);
+
+}  // namespace bench

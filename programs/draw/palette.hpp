@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The colours of levels.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <iterator>
+#include <string>
+
+namespace draw {
+
+// Components from 0 to 255.
+struct Color {
+  double red = 0, green = 0, blue = 0;
+};
+
+// From light for the coarsest level to dark for the finest: the few large disks stay quiet, the many small ones show.
+constexpr Color kShades[] = {{249, 238, 215}, {246, 207, 152}, {237, 156, 98}, {212, 98, 84},
+                             {160, 62, 106},  {104, 50, 118},  {62, 52, 120}};
+
+inline std::string color_text(const Color &color) {
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(color.red) & 255u,
+                static_cast<unsigned>(color.green) & 255u, static_cast<unsigned>(color.blue) & 255u);
+  return text;
+}
+
+inline Color mix(const Color &from, const Color &to, double share) {
+  return {from.red + share * (to.red - from.red), from.green + share * (to.green - from.green),
+          from.blue + share * (to.blue - from.blue)};
+}
+
+inline Color darker(const Color &color) { return mix({0, 0, 0}, color, 0.62); }
+
+// Level 0 is the finest.
+inline Color level_color(size_t level, size_t level_count) {
+  if (level_count < 2) return kShades[2];
+  constexpr size_t kLast = std::size(kShades) - 1;
+  const double place = static_cast<double>(level_count - 1 - level) / static_cast<double>(level_count - 1) * kLast;
+  const size_t shade = std::min(static_cast<size_t>(place), kLast - 1);
+  return mix(kShades[shade], kShades[shade + 1], place - static_cast<double>(shade));
+}
+
+}  // namespace draw

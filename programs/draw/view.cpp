@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Drawing the parts of a slice into a frame.
+#include "programs/draw/view.hpp"
+
+#include "programs/draw/palette.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace draw {
+
+View View::fit(const Window &window, Point corner, double side) {
+  const double scale = side / std::max(window.width, window.height);
+  return {window, {corner.x, corner.y, window.width * scale, window.height * scale}};
+}
+
+void draw_disks(Svg &svg, const Slice &slice, const View &view) {
+  for (size_t level = slice.levels.size(); level-- > 0;) {
+    const Color fill = level_color(level, slice.levels.size());
+    svg.open_group("fill=\"" + color_text(fill) + "\" stroke=\"" + color_text(darker(fill)) +
+                   "\" stroke-width=\"0.6\"");
+    for (const Disk &disk : slice.disks) {
+      if (disk.level == level && meets(view.window, disk)) {
+        svg.circle(view.point(disk.u, disk.v), disk.radius * view.scale(), "");
+      }
+    }
+    svg.close_group();
+  }
+}
+
+void draw_cells(Svg &svg, const Slice &slice, const View &view, double cell_size, const std::string &style) {
+  const Window &w = view.window;
+  svg.open_group(style);
+  for (double k = std::ceil((w.u - slice.box.u) / cell_size); slice.box.u + k * cell_size < w.u + w.width; k++) {
+    const double u = slice.box.u + k * cell_size;
+    svg.line(view.point(u, w.v), view.point(u, w.v + w.height), "");
+  }
+  for (double k = std::ceil((w.v - slice.box.v) / cell_size); slice.box.v + k * cell_size < w.v + w.height; k++) {
+    const double v = slice.box.v + k * cell_size;
+    svg.line(view.point(w.u, v), view.point(w.u + w.width, v), "");
+  }
+  svg.close_group();
+}
+
+void draw_visited_cells(Svg &svg, const Slice &slice, const View &view, const Disk &disk, double cell_size,
+                        const std::string &style) {
+  const double a = disk.sphere_radius + 0.5 * cell_size;
+  const auto edge = [cell_size](double corner, double x) {
+    return corner + std::floor((x - corner) / cell_size) * cell_size;
+  };
+  const double u_low = edge(slice.box.u, disk.u - a), u_high = edge(slice.box.u, disk.u + a) + cell_size;
+  const double v_low = edge(slice.box.v, disk.v - a), v_high = edge(slice.box.v, disk.v + a) + cell_size;
+  const Point top_left = view.point(u_low, v_high);
+  svg.rectangle({top_left.x, top_left.y, (u_high - u_low) * view.scale(), (v_high - v_low) * view.scale()}, style);
+}
+
+}  // namespace draw

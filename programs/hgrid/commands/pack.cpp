@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// `hgrid pack`: makes a packing of a size law and writes it to a particle file.
+#include "packing/growth.hpp"
+#include "packing/packing.hpp"
+#include "particles/error.hpp"
+#include "particles/files/writer.hpp"
+#include "programs/hgrid/command.hpp"
+#include "programs/hgrid/growth_line.hpp"
+#include "programs/hgrid/interrupt.hpp"
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace command {
+namespace {
+
+struct PackOptions {
+  packing::Request request;
+  std::string method = "relax";
+  std::optional<int> sweeps;
+  std::optional<double> growth_rate;
+  std::string law = "uniform-volume";
+  std::string arrangement = "even";
+  std::optional<double> ratio;
+  std::optional<int> exponent;
+  std::optional<double> sigma;
+  std::optional<double> offset;
+  bool random_offset = false;
+  std::string periodic;
+  std::string output;
+  std::string format;
+};
+
+constexpr double kUsualRatio = 50;
+constexpr double kUsualRatioOfFewSizes = 10;
+
+packing::SizeLaw law_of(const PackOptions &options) {
+  using packing::Law;
+  packing::SizeLaw law = options.request.law;
+  law.law = packing::law_from_name(options.law);
+  if (law.law == Law::kMono) {
+    if (options.ratio.value_or(1) != 1) throw CLI::ValidationError("--ratio", "the law mono has one size only");
+    law.ratio = 1;
+  } else if (law.law == Law::kLogNormal) {
+    if (options.ratio) throw CLI::ValidationError("--ratio", "the law log-normal takes --sigma instead");
+  } else {
+    const bool few_sizes = law.law == Law::kTwoSizes || law.law == Law::kOneGiant;
+    law.ratio = options.ratio.value_or(few_sizes ? kUsualRatioOfFewSizes : kUsualRatio);
+  }
+  if (options.exponent && law.law != Law::kPowerLaw) {
+    throw CLI::ValidationError("--exponent", "only the law power-law has one");
+  }
+  if (options.sigma && law.law != Law::kLogNormal) {
+    throw CLI::ValidationError("--sigma", "only the law log-normal has one");
+  }
+  law.exponent = options.exponent.value_or(law.exponent);
+  law.sigma = options.sigma.value_or(law.sigma);
+  return law;
+}
+
+packing::Request request_of(const PackOptions &options) {
+  packing::Request request = options.request;
+  request.law = law_of(options);
+  request.arrangement = packing::arrangement_from_name(options.arrangement);
+  if (options.method != "relax") {
+    if (options.sweeps) throw CLI::ValidationError("--sweeps", "is for --method relax");
+    if (options.arrangement != "even") throw CLI::ValidationError("--arrangement", "is for --method relax");
+  }
+  if (options.growth_rate && options.method != "event") {
+    throw CLI::ValidationError("--growth-rate", "is for --method event");
+  }
+  request.sweeps = options.sweeps.value_or(request.sweeps);
+  request.offset = options.offset.value_or(request.offset);
+  request.random_offset = options.random_offset;
+  for (const char axis : options.periodic) {
+    const size_t k = static_cast<size_t>(axis - 'x');
+    if (axis < 'x' || axis > 'z' || k >= static_cast<size_t>(request.law.dimension) || request.periodic[k]) {
+      throw CLI::ValidationError("--periodic",
+                                 "'" + options.periodic + "' does not name axes of this packing, each once");
+    }
+    request.periodic[k] = true;
+  }
+  return request;
+}
+
+particles::Format format_of(const PackOptions &options) {
+  const std::optional<particles::Format> format =
+      options.format.empty() ? particles::format_of_name(options.output) : particles::format_of_word(options.format);
+  if (!format) {
+    throw CLI::ValidationError("--output", "'" + options.output + "' has no ending that tells a format: add --format");
+  }
+  return *format;
+}
+
+// The file appears under its name only when it is complete.
+void write_whole(const std::string &path, particles::Format format, const particles::ParticleSet &particles) {
+  if (path == "-") return particles::write_particles(path, format, particles);
+  const std::string partial = path + ".partial-" + std::to_string(getpid());
+  try {
+    particles::write_particles(partial, format, particles);
+    std::filesystem::rename(partial, path);
+  } catch (const std::exception &error) {
+    std::error_code ignored;  // the first failure is the one to tell
+    std::filesystem::remove(partial, ignored);
+    throw particles::Error(error.what());
+  }
+}
+
+class SweepLine {
+ public:
+  explicit SweepLine(int sweeps) : sweeps_(sweeps), terminal_(isatty(STDERR_FILENO) != 0) {}
+  ~SweepLine() {
+    if (terminal_) std::fputs("\r\033[K", stderr);
+  }
+  SweepLine(const SweepLine &) = delete;
+  SweepLine &operator=(const SweepLine &) = delete;
+
+  void show(int done, const packing::Overlaps &overlaps) const {
+    if (!terminal_) return;
+    std::fprintf(stderr, "\r\033[Ksweep %d of %d: %zu contacts, mean overlap %.2f %% of the smaller radius", done,
+                 sweeps_, overlaps.contacts, 100 * overlaps.mean);
+    std::fflush(stderr);
+  }
+
+ private:
+  int sweeps_;
+  bool terminal_;
+};
+
+// What is said of a packing goes beside it, not into it.
+std::FILE *summary_file(const PackOptions &options) { return options.output == "-" ? stderr : stdout; }
+
+void print_particles(const PackOptions &options, const particles::ParticleSet &set, double density) {
+  const auto [smallest, largest] = std::minmax_element(set.radii.begin(), set.radii.end());
+  std::fprintf(summary_file(options), "%s: %s, %zu %s, radii %.6g to %.6g, box edge %.9g, density %.6g\n",
+               options.output.c_str(), options.law.c_str(), set.count(), set.dimension == 2 ? "disks" : "spheres",
+               *smallest, *largest, set.box_max[0], density);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void relax(const PackOptions &options, const packing::Request &request, particles::Format format) {
+  const auto start = std::chrono::steady_clock::now();
+  packing::Packing packing;
+  {
+    const SweepLine line(request.sweeps);
+    packing = packing::make_packing(
+        request, [&line](int done, const packing::Overlaps &overlaps) { line.show(done, overlaps); });
+  }
+  write_whole(options.output, format, packing.particles);
+  print_particles(options, packing.particles, request.density);
+  std::fprintf(summary_file(options),
+               "%zu contacts, overlap over the smaller radius: mean %.2g, largest %.2g; made in %.1f s\n",
+               packing.overlaps.contacts, packing.overlaps.mean, packing.overlaps.largest, seconds_since(start));
+}
+
+void print_growth(const PackOptions &options, const packing::event::GrowthResult &growth, double seconds) {
+  const double events = static_cast<double>(growth.tally.events());
+  const double per_particle =
+      2 * static_cast<double>(growth.tally.collisions) / static_cast<double>(growth.radii.size());
+  std::fprintf(summary_file(options),
+               "0 overlaps; %.4g events, %.3g per second, %.4g collisions per particle, growth rate %.3g, %d retries, "
+               "pressure %.3g NkT/V; made in %.1f s\n",
+               events, events / seconds, per_particle, growth.rate, growth.retries, growth.compressibility, seconds);
+}
+
+// A growth that was stopped or jammed leaves its file too, but is no success.
+void report_early_end(const PackOptions &options, const packing::event::GrowthResult &growth) {
+  using packing::event::GrowthEnd;
+  if (growth.end == GrowthEnd::kDone) return;
+  char density[32];
+  std::snprintf(density, sizeof density, "%.6g", growth.density);
+  const std::string what = growth.end == GrowthEnd::kStopped ? "stopped" : "jammed";
+  const std::string advice = growth.end == GrowthEnd::kStopped ? "" : "; try a lower --growth-rate";
+  throw particles::Error("the growth was " + what + " at density " + density + "; " + options.output +
+                         " holds its state, without overlaps" + advice);
+}
+
+void grow(const PackOptions &options, const packing::Request &request, particles::Format format) {
+  const auto start = std::chrono::steady_clock::now();
+  packing::GrownPacking packing;
+  {
+    const Interrupt interrupt;
+    GrowthLine line;
+    packing = packing::grow_packing(request, options.growth_rate.value_or(0), [&](const auto &progress) {
+      line.show(progress);
+      return !interrupt.requested();
+    });
+  }
+  write_whole(options.output, format, packing.particles);
+  print_particles(options, packing.particles, packing.growth.density);
+  print_growth(options, packing.growth, seconds_since(start));
+  report_early_end(options, packing.growth);
+}
+
+void run_pack(const PackOptions &options) {
+  const packing::Request request = request_of(options);
+  const particles::Format format = format_of(options);
+  if (options.method == "event") {
+    grow(options, request, format);
+  } else {
+    relax(options, request, format);
+  }
+}
+
+}  // namespace
+
+void add_pack(CLI::App &parent) {
+  auto options = std::make_shared<PackOptions>();
+  packing::Request &request = options->request;
+  CLI::App *command = parent.add_subcommand("pack", "Make a packing of spheres or disks of a size law");
+  command->add_option("--law", options->law, "Size law of the radii")
+      ->check(CLI::IsMember(std::vector<std::string>(std::begin(packing::kLawNames), std::end(packing::kLawNames))))
+      ->capture_default_str();
+  command->add_option("--count", request.count, "Number of particles")->capture_default_str();
+  command->add_option("--ratio", options->ratio,
+                      "Largest over smallest radius; the smallest is 1 (50; two-sizes, one-giant: 10)");
+  command->add_option("--exponent", options->exponent, "power-law: a of p(r) ~ r^-a, 2 to 9 (3)");
+  command->add_option("--sigma", options->sigma, "log-normal: standard deviation of ln r; the median radius is 1 (1)");
+  command->add_option("--arrangement", options->arrangement, "Where particles are thrown")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(std::begin(packing::kArrangementNames), std::end(packing::kArrangementNames))))
+      ->capture_default_str();
+  command
+      ->add_option("--density", request.density,
+                   "Share of the box, or of the part they are thrown into, that the particles fill")
+      ->capture_default_str();
+  command->add_option("--seed", request.seed, "Same seed, same packing")->capture_default_str();
+  CLI::Option *offset =
+      command->add_option("--offset", options->offset,
+                          "Where in its share of the size law each radius is sampled, from 0 to below 1 (0.5)");
+  command->add_flag("--random-offset", options->random_offset, "Draw the offset from the seed")->excludes(offset);
+  command
+      ->add_option("--method", options->method,
+                   "relax: random places, pushed apart, small overlaps stay; event: grown from points, no overlaps")
+      ->check(CLI::IsMember({"relax", "event"}))
+      ->capture_default_str();
+  command->add_option("--sweeps", options->sweeps, "relax: sweeps that push overlapping particles apart (60)");
+  command->add_option("--growth-rate", options->growth_rate,
+                      "event: growth of the radii at the end, from 0 to 1 per time at thermal speed 1 (0.01 over the "
+                      "mean radius)");
+  command->add_option("--dimension", request.law.dimension, "2 (disks) or 3 (spheres)")->capture_default_str();
+  command->add_option("--periodic", options->periodic, "Axes without walls, e.g. xy (none)");
+  command
+      ->add_option("-o,--output", options->output,
+                   "File to write, .csv, .lammpstrj, .dump, .xyz or .extxyz; - for standard output")
+      ->required();
+  command->add_option("--format", options->format, "csv, lammps or xyz (by the file's ending)")
+      ->check(CLI::IsMember({"csv", "lammps", "xyz"}));
+  command->callback([options] { run_pack(*options); });
+}
+
+}  // namespace command

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// hgrid pairs: the contacts of a particle file, written as CSV or counted.
+#include "particles/text/output.hpp"
+#include "particles/text/progress.hpp"
+#include "programs/hgrid/command.hpp"
+#include "programs/hgrid/grid_options.hpp"
+#include "programs/hgrid/particle_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <memory>
+
+namespace command {
+namespace {
+
+struct PairsOptions {
+  ParticleOptions particles;
+  GridOptions grid;
+  std::string output = "-";
+  bool count_only = false;
+};
+
+// Counts the pairs and writes them if there is an output. No exception may cross the library, which calls visit(): one
+// is kept here until the visit is over.
+class PairSink {
+ public:
+  explicit PairSink(particles::Output *out) : out_(out), progress_("searching", "contacts", 0) {}
+
+  void take_all(particles::Grid &grid) {
+    grid.visit_pairs(visit, this);
+    if (failure_) std::rethrow_exception(failure_);
+  }
+  int64_t count() const { return count_; }
+
+ private:
+  static int32_t visit(void *context, const hg_pair *pairs, size_t count) noexcept {
+    auto *sink = static_cast<PairSink *>(context);
+    try {
+      sink->take(pairs, count);
+      return 0;
+    } catch (...) {
+      sink->failure_ = std::current_exception();
+      return 1;
+    }
+  }
+
+  void take(const hg_pair *pairs, size_t count) {
+    count_ += static_cast<int64_t>(count);
+    if (out_ != nullptr)
+      for (size_t k = 0; k < count; k++) *out_ << pairs[k].a << ',' << pairs[k].b << '\n';
+    progress_.update(static_cast<uint64_t>(count_));
+  }
+
+  particles::Output *out_;
+  particles::Progress progress_;
+  int64_t count_ = 0;
+  std::exception_ptr failure_;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+int64_t count_pairs(particles::Grid &grid) {
+  PairSink sink(nullptr);
+  sink.take_all(grid);
+  return sink.count();
+}
+
+void print_count(particles::Grid &grid, size_t particles) {
+  const auto start = std::chrono::steady_clock::now();
+  grid.build();
+  const double build = seconds_since(start);
+  const int64_t count = count_pairs(grid);
+  const double total = seconds_since(start);
+
+  const double number = static_cast<double>(particles);
+  const double mean = particles > 0 ? 2.0 * static_cast<double>(count) / number : 0.0;
+  char text[512];
+  std::snprintf(text, sizeof text,
+                "particles              %zu\n"
+                "contacts               %lld\n"
+                "contacts per particle  %.6g  (each contact counts for both)\n"
+                "time to build          %.6f s\n"
+                "time to search         %.6f s\n"
+                "time per particle      %.1f ns\n",
+                particles, static_cast<long long>(count), mean, build, total - build,
+                particles > 0 ? 1e9 * total / number : 0.0);
+  particles::Output out("-");
+  out << text;
+  out.close();
+}
+
+void run(const PairsOptions &options) {
+  const particles::ParticleSet particles = load_particles(options.particles);
+  particles::Grid grid = filled_grid(options.grid, particles, options.particles.file);
+  if (options.count_only) {
+    print_count(grid, particles.count());
+    return;
+  }
+  // Built first: what the library refuses then must not cost the file that is overwritten.
+  grid.build();
+  particles::Output out(options.output);
+  out << "a,b\n";
+  PairSink(&out).take_all(grid);
+  out.close();
+}
+
+}  // namespace
+
+void add_pairs(CLI::App &parent) {
+  auto options = std::make_shared<PairsOptions>();
+  CLI::App &command = *parent.add_subcommand("pairs", "Find the contacts of a particle file");
+  add_particle_options(command, options->particles);
+  add_grid_options(command, options->grid);
+  auto *output = command
+                     .add_option("-o,--output", options->output,
+                                 "Where the contacts go: CSV with the columns a,b, a < b; - for standard output")
+                     ->capture_default_str();
+  command.add_flag("--count", options->count_only, "Only count them, and tell the time it took")->excludes(output);
+  command
+      .add_option("--base", options->grid.index_base, "The number of the first particle of the file in a and b: 0 or 1")
+      ->capture_default_str()
+      ->check(CLI::IsMember({0, 1}));
+  command.footer(
+      "a and b are the places of the particles in the file, the first being 0 (or 1 with --base 1).\n"
+      "Spheres that exactly touch are no contact.\n"
+      "Examples:\n"
+      "  hgrid pairs packing.csv --output contacts.csv\n"
+      "  hgrid pairs dump.lammpstrj --frame 1 --count\n"
+      "  hgrid pairs packing.xyz --margin 0.1 --order id --base 1\n"
+      "  hgrid pairs open.csv --box 0,0,0,1,1,1 --periodic xy");
+  command.callback([options] { run(*options); });
+}
+
+}  // namespace command

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// `hgrid run`: simulates a scene.
+#include "dem/engine/engine.hpp"
+#include "dem/output/recorder.hpp"
+#include "dem/scene/scene.hpp"
+#include "particles/error.hpp"
+#include "programs/hgrid/command.hpp"
+#include "programs/hgrid/interrupt.hpp"
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace command {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct RunOptions {
+  std::string scene;
+  std::string restart;
+  std::string directory;
+  std::optional<int> threads;
+  std::optional<double> skin;
+  std::optional<uint64_t> steps;
+  bool quiet = false;
+};
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// A line about the run as it goes: wiped and rewritten on a terminal, one after the other elsewhere.
+class RunLine {
+ public:
+  RunLine(uint64_t first, uint64_t last, size_t particles)
+      : first_(first), last_(last), particles_(static_cast<double>(particles)), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+  // How many steps to do until the next look at the clock: those of about a tenth of a second.
+  uint64_t patience() const {
+    return seconds_ > 0 ? std::max<uint64_t>(1, static_cast<uint64_t>(0.1 * done_ / seconds_)) : 1;
+  }
+
+  void worked(uint64_t steps, double seconds) {
+    done_ += static_cast<double>(steps);
+    seconds_ += seconds;
+  }
+
+  double ns_per_particle_step() const { return done_ > 0 ? 1e9 * seconds_ / (done_ * particles_) : 0; }
+  double seconds() const { return seconds_; }
+
+  bool is_due() const { return seconds_since(shown_) > (terminal_ ? 0.5 : 10.0); }
+
+  void show(uint64_t step, const dem::Measurement &m) {
+    shown_ = Clock::now();
+    const double left = done_ > 0 ? seconds_ / done_ * static_cast<double>(last_ - step) : 0;
+    std::fprintf(
+        stderr,
+        "%sstep %llu of %llu (%.0f %%), time %.6g, energy %.6g, %zu contacts, %.1f ns per particle and step, %.0f s "
+        "left%s",
+        terminal_ ? "\r\033[K" : "", static_cast<unsigned long long>(step), static_cast<unsigned long long>(last_),
+        100.0 * static_cast<double>(step - first_) / static_cast<double>(std::max<uint64_t>(1, last_ - first_)), m.time,
+        m.energy(), m.contacts + m.wall_contacts, ns_per_particle_step(), left, terminal_ ? "" : "\n");
+    std::fflush(stderr);
+  }
+
+  void wipe() const {
+    if (terminal_) std::fputs("\r\033[K", stderr);
+  }
+
+ private:
+  uint64_t first_, last_;
+  double particles_, done_ = 0, seconds_ = 0;
+  bool terminal_;
+  Clock::time_point shown_ = Clock::now();
+};
+
+// The next multiple of `interval` after `step`; never for 0.
+uint64_t next_after(uint64_t step, uint64_t interval, uint64_t never) {
+  return interval > 0 ? (step / interval + 1) * interval : never;
+}
+
+// One run of an engine with what is recorded on the way.
+class Run {
+ public:
+  Run(const scene::Scene &scene, dem::Engine &engine, output::Recorder &recorder, const Interrupt &interrupt,
+      bool quiet)
+      : scene_(scene),
+        engine_(engine),
+        recorder_(recorder),
+        interrupt_(interrupt),
+        quiet_(quiet),
+        line_(engine.steps_done(), scene.steps, scene.setup.count()) {}
+
+  // To the end, or to the first interrupt: then the checkpoint holds the state.
+  void go() {
+    if (engine_.steps_done() == 0) record();
+    while (engine_.steps_done() < scene_.steps && !interrupt_.requested()) {
+      const uint64_t step = engine_.steps_done();
+      uint64_t until = std::min(scene_.steps, step + line_.patience());
+      for (const uint64_t interval : {scene_.output.pictures, scene_.output.energies, scene_.output.checkpoints}) {
+        until = std::min(until, next_after(step, interval, until));
+      }
+      const Clock::time_point start = Clock::now();
+      engine_.run(until - step);
+      line_.worked(until - step, seconds_since(start));
+      record();
+    }
+    line_.wipe();
+    if (interrupt_.requested()) recorder_.checkpoint(engine_);
+  }
+
+  const RunLine &line() const { return line_; }
+
+ private:
+  // The last step is always one, since intervals are rounded to steps and need not end there.
+  bool is_time(uint64_t interval) const {
+    const uint64_t step = engine_.steps_done();
+    return interval > 0 && (step % interval == 0 || step == scene_.steps);
+  }
+
+  void record() {
+    const uint64_t step = engine_.steps_done();
+    const bool row = is_time(scene_.output.energies), shows = !quiet_ && line_.is_due();
+    if (row || shows) {
+      // Measuring does a part of the next step's work, so it counts as work.
+      const Clock::time_point start = Clock::now();
+      const dem::Measurement m = engine_.measure();
+      line_.worked(0, seconds_since(start));
+      if (!std::isfinite(m.energy()))
+        throw particles::Error("the energy is not finite at step " + std::to_string(step));
+      if (row) recorder_.energies(step, m);
+      if (shows) line_.show(step, m);
+    }
+    if (is_time(scene_.output.pictures)) recorder_.picture(step, engine_.snapshot());
+    if (is_time(scene_.output.checkpoints)) recorder_.checkpoint(engine_);
+  }
+
+  const scene::Scene &scene_;
+  dem::Engine &engine_;
+  output::Recorder &recorder_;
+  const Interrupt &interrupt_;
+  bool quiet_;
+  RunLine line_;
+};
+
+void print_scene(const scene::Scene &scene, const std::string &path) {
+  const dem::Setup &setup = scene.setup;
+  const auto [smallest, largest] = std::minmax_element(setup.radii.begin(), setup.radii.end());
+  std::printf("%s: %s\n", path.c_str(), scene.title.c_str());
+  std::printf("%zu %s, radii %.6g to %.6g; effects: %s\n", setup.count(), setup.dimension == 2 ? "discs" : "spheres",
+              *smallest, *largest, dem::names_of(setup.effects).c_str());
+  std::printf("shortest contact %.6g, %llu steps of %.6g (%s), skin %.6g\n", scene.shortest_contact,
+              static_cast<unsigned long long>(scene.steps), setup.time_step, setup.scheme.name.c_str(), setup.skin);
+}
+
+void print_summary(dem::Engine &engine, const RunLine &line, size_t particles) {
+  const dem::Measurement m = engine.measure();
+  const hg_grid_stats stats = engine.grid_stats();
+  const double count = static_cast<double>(particles);
+  std::printf("%llu steps to time %.6g in %.3g s of work: %.1f ns per particle and step\n",
+              static_cast<unsigned long long>(engine.steps_done()), m.time, line.seconds(),
+              line.ns_per_particle_step());
+  std::printf("energy %.12g: translation %.6g, rotation %.6g, contacts %.6g, gravity %.6g\n", m.energy(), m.translation,
+              m.rotation, m.contact, m.gravity);
+  std::printf("%zu contacts of particles, %zu with walls, largest overlap %.3g of the smaller radius\n", m.contacts,
+              m.wall_contacts, m.largest_overlap);
+  std::printf("memory per particle: %.0f bytes of state, %.0f of the grid; %lld levels, %lld searches\n",
+              static_cast<double>(engine.state_bytes()) / count, static_cast<double>(stats.byte_count) / count,
+              static_cast<long long>(stats.level_count), static_cast<long long>(stats.search_count));
+}
+
+void run_scene(const RunOptions &options) {
+  scene::Scene scene = scene::read_scene(options.scene);
+  if (options.threads) scene.setup.threads = *options.threads;
+  if (options.skin) scene.setup.skin = *options.skin;
+  if (options.steps) scene.steps = *options.steps;
+  if (!options.directory.empty()) scene.output.directory = options.directory;
+  const std::unique_ptr<dem::Engine> engine = dem::make_engine(scene.setup, scene.precision);
+  if (!options.restart.empty()) engine->restore(dem::Checkpoint::read(options.restart));
+  print_scene(scene, options.scene);
+  std::fflush(stdout);
+  output::Recorder recorder(scene.output.directory, scene.output.formats, scene.setup, engine->steps_done());
+  const Interrupt interrupt;
+  Run run(scene, *engine, recorder, interrupt, options.quiet);
+  run.go();
+  print_summary(*engine, run.line(), scene.setup.count());
+  if (interrupt.requested()) {
+    throw particles::Error("interrupted at step " + std::to_string(engine->steps_done()) + "; go on with hgrid run " +
+                           options.scene + " --restart " + recorder.checkpoint_path());
+  }
+}
+
+}  // namespace
+
+void add_run(CLI::App &parent) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App *command = parent.add_subcommand("run", "Simulate a scene (docs/simulation.md tells how to write one)");
+  command->add_option("SCENE", options->scene, "The scene, a TOML file")->required();
+  command->add_option("--restart", options->restart, "Go on from this checkpoint, to the same bits");
+  command->add_option("--output", options->directory, "Folder for what is written, instead of the scene's");
+  command->add_option("--threads", options->threads, "Instead of the scene's; 0: all that the machine offers")
+      ->check(CLI::Range(0, 1024));
+  command->add_option("--skin", options->skin, "Instead of the scene's")->check(CLI::NonNegativeNumber);
+  command->add_option("--steps", options->steps, "Last step, instead of the scene's end");
+  command->add_flag("--quiet", options->quiet, "No line about the progress");
+  command->callback([options] { run_scene(*options); });
+}
+
+}  // namespace command

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Options of every command that reads particles: the file, its format, and the box it is searched in.
+#include "programs/hgrid/particle_options.hpp"
+
+#include "particles/files/reader.hpp"
+#include "programs/hgrid/arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace command {
+namespace {
+
+void apply_box(const std::string &text, particles::ParticleSet &particles) {
+  const std::vector<double> corners = number_list("--box", text);
+  const auto dimension = static_cast<size_t>(particles.dimension);
+  if (corners.size() != 2 * dimension)
+    throw CLI::ValidationError("--box", "needs " + std::to_string(2 * dimension) + " numbers for particles in " +
+                                            std::to_string(dimension) + " dimensions, got " +
+                                            std::to_string(corners.size()));
+  for (size_t axis = 0; axis < dimension; axis++) {
+    particles.box_min[axis] = corners[axis];
+    particles.box_max[axis] = corners[dimension + axis];
+  }
+  particles.has_box = true;
+}
+
+void apply_periodic(const std::string &letters, particles::ParticleSet &particles) {
+  if (!particles.has_box) throw CLI::ValidationError("--periodic", "the file holds no box; give one with --box");
+  for (int &flag : particles.periodic) flag = 0;
+  for (const char letter : letters) {
+    const int axis = letter - 'x';
+    if (axis < 0 || axis >= particles.dimension)
+      throw CLI::ValidationError("--periodic", std::string("'") + letter + "' is no axis of these particles");
+    particles.periodic[axis] = 1;
+  }
+}
+
+}  // namespace
+
+void add_particle_options(CLI::App &command, ParticleOptions &options) {
+  const char *const group = "Particles";
+  command
+      .add_option("FILE", options.file,
+                  "Particles: CSV with a header naming x, y, z (none in 2D) and r, radius, d or diameter; LAMMPS text "
+                  "dump; extended XYZ; - for standard input")
+      ->required();
+  command.add_option("--format", options.format, "csv, lammps or xyz, instead of recognising it")
+      ->check(CLI::IsMember({"csv", "lammps", "xyz"}))
+      ->group(group);
+  command.add_option("--frame", options.frame, "Which of several frames: 1 is the first; the last if not given")
+      ->check(positive_count())
+      ->group(group);
+  command.add_option("--dimension", options.dimension, "2 leaves out a z that all particles share")
+      ->check(CLI::IsMember({2, 3}))
+      ->group(group);
+  command.add_option("--box", options.box, "XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX instead of the file's box")->group(group);
+  auto *periodic =
+      command.add_option("--periodic", options.periodic, "The periodic axes, such as xy, instead of the file's")
+          ->group(group);
+  command.add_flag("--open", options.open, "No periodic axis, whatever the file says")
+      ->group(group)
+      ->excludes(periodic);
+}
+
+particles::ParticleSet load_particles(const ParticleOptions &options) {
+  particles::ReadOptions read;
+  if (!options.format.empty()) read.format = particles::format_of_word(options.format);
+  read.frame = options.frame;
+  read.dimension = options.dimension;
+  particles::ParticleSet particles = particles::read_particles(options.file, read);
+  if (!options.box.empty()) apply_box(options.box, particles);
+  if (!options.periodic.empty()) apply_periodic(options.periodic, particles);
+  if (options.open)
+    for (int &flag : particles.periodic) flag = 0;
+  return particles;
+}
+
+}  // namespace command

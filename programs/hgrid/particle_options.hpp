@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Options of every command that reads particles: the file, its format, and the box it is searched in.
+#pragma once
+
+#include "particles/particle_set.hpp"
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace command {
+
+struct ParticleOptions {
+  std::string file;
+  std::string format;    // "": recognise it
+  long frame = 0;        // 0: the last
+  int dimension = 0;     // 0: as the file says
+  std::string periodic;  // letters of the periodic axes, "" = as the file says
+  bool open = false;     // no periodic axis, whatever the file says
+  std::string box;       // lower corner, upper corner with commas; empty: the file's
+};
+
+// Adds FILE, --format, --frame, --dimension, --periodic, --open and --box. `options` must outlive the parse.
+void add_particle_options(CLI::App &command, ParticleOptions &options);
+
+// Reads the file and applies the options for the box.
+particles::ParticleSet load_particles(const ParticleOptions &options);
+
+}  // namespace command

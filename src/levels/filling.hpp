@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How densely particles lie around each other, at each scale of length: what N / V is to space that is filled evenly.
+#pragma once
+
+#include "src/exact/domain.hpp"
+#include "src/particles/particle_store.hpp"
+#include "src/space/frame.hpp"
+
+namespace hg {
+
+class Filling {
+ public:
+  // Looks at 1024 particles at most, always the same of the same particles.
+  static Filling sample(const ParticleStore &store, const Domain &domain, const Frame &frame);
+  // All particles evenly in a volume of `extent`, in quanta; for tests and as the limit of sample.
+  static Filling even(const double *extent, int dimension);
+
+  // The chance that another particle, drawn from all, lies in a given unit of volume (quanta^d) near a particle, "near"
+  // meaning a distance of `length` quanta: the mean over particles, not over space.
+  double density(double length) const;
+
+ private:
+  static constexpr int kOctaves = 31;  // edges 1, 2, 4 ... 2^30 quanta
+  double density_[kOctaves] = {};
+};
+
+}  // namespace hg

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Scene files: what they mean, and what is refused with which words.
+#include "dem/engine/error.hpp"
+#include "dem/scene/keys.hpp"
+#include "dem/scene/scene.hpp"
+#include "dem/scene/suggestion.hpp"
+#include "dem/scene/units.hpp"
+#include "tests/particles/cmocka_cpp.hpp"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+constexpr char kBasic[] =
+    "title = \"t\"\n"
+    "[[particles]]\n"
+    "at = [[0, 0, 0], [3, 0, 0]]\n"
+    "radius = 1\n"
+    "[contact]\n"
+    "stiffness = 1e4\n"
+    "[time]\n"
+    "steps = 10\n";
+
+std::string write_file(const std::string &text) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("hgrid-test-scene-" + std::to_string(getpid()) + ".toml")).string();
+  std::ofstream(path) << text;
+  return path;
+}
+
+scene::Scene read(const std::string &text) {
+  const std::string path = write_file(text);
+  scene::Scene result = scene::read_scene(path);
+  std::filesystem::remove(path);
+  return result;
+}
+
+// What is said about a faulty scene, without the folder.
+std::string error_of(const std::string &text) {
+  const std::string path = write_file(text);
+  std::string what = "nothing was refused";
+  try {
+    scene::read_scene(path);
+  } catch (const dem::Error &error) {
+    what = error.what();
+    if (what.compare(0, path.size(), path) == 0) what.erase(0, path.size());
+  }
+  std::filesystem::remove(path);
+  return what;
+}
+
+bool is_refused(const std::string &text, const std::string &start, const std::string &part = "") {
+  const std::string what = error_of(text);
+  const bool fits = what.compare(0, start.size(), start) == 0 && what.find(part) != std::string::npos;
+  if (!fits) std::printf("refused with: %s\n", what.c_str());
+  return fits;
+}
+
+const std::string basic = kBasic;
+
+void unknown_keys_are_refused_with_line_and_suggestion(void **) {
+  assert_true(is_refused(basic + "[gravty]\nacceleration = [0, 0, 1]\n", ":9: 'gravty' is no key", "'gravity'?"));
+  assert_true(is_refused(basic + "[dissipation]\nrestitutoin = 1\n", ":10: 'restitutoin'", "'restitution'?"));
+  assert_true(is_refused(basic + "[box]\nmax = [1, 1, 1]\nxyzzy = 2\n", ":11: 'xyzzy'", "known are min, max, walls"));
+}
+
+void missing_keys_are_named(void **) {
+  assert_true(is_refused(basic + "[dissipation]\n", ":9: [dissipation] needs the key 'restitution'"));
+  assert_true(is_refused("[contact]\nstiffness = 1\n[time]\nsteps = 1\n", "", "at least one table [[particles]]"));
+  assert_true(is_refused(basic + "[adhesion]\nforce = 1\n", ":9: [adhesion] needs the key 'range'"));
+}
+
+void wrong_values_are_named(void **) {
+  assert_true(
+      is_refused(basic + "[dissipation]\nrestitution = 1.5\n", ":10: dissipation.restitution: lies in (0, 1]", "1.5"));
+  assert_true(is_refused(basic + "[gravity]\nacceleration = [0, 1]\n", ":10: gravity.acceleration is a list of 2"));
+  assert_true(is_refused(basic + "[gravity]\nacceleration = true\n", ":10: gravity.acceleration is true or false"));
+  assert_true(is_refused(basic + "[run]\nthreads = -1\n", ":10: run.threads is negative"));
+  assert_true(is_refused(basic + "[run]\nprecision = \"flaot\"\n", ":10: run.precision cannot be 'flaot'", "'float'?"));
+  assert_true(is_refused(basic + "[box]\nmax = [1, 1, 1]\nwalls = \"xw\"\n", ":11: box.walls: 'xw'"));
+  assert_true(is_refused("title = \n", ":1: "));
+}
+
+void what_does_not_go_together_is_refused(void **) {
+  assert_true(is_refused(basic + "[rolling]\ncoefficient = 0.1\n", ":9: rolling: needs [friction]"));
+  assert_true(is_refused(basic + "[hertz]\nyoung_modulus = 1\npoisson_ratio = 0.3\n", ":9: hertz: stands instead"));
+  assert_true(is_refused(basic + "[shear]\nrate = 1\n", ":9: shear: needs the periodic axes"));
+  assert_true(is_refused(basic + "[periodic]\naxes = \"x\"\n", ":9: periodic: periodic axes need a [box]"));
+}
+
+void too_large_a_step_is_refused_with_its_line(void **) {
+  std::string text = basic;
+  text += "step = 1\n";
+  assert_true(is_refused(text, ":9: time.step: the time step 1 is too large", "is the limit"));
+}
+
+void units_are_turned_to_si(void **) {
+  using namespace scene;
+  assert_true(in_si("2 mm", kLength) == 2e-3);
+  assert_true(std::fabs(in_si("9.81 m/s^2", kAcceleration) - 9.81) < 1e-15);
+  assert_true(std::fabs(in_si("72 km/h", kVelocity) - 20) < 1e-12);
+  assert_true(in_si("1 kg m^-3", kDensity) == 1);
+  assert_true(std::fabs(in_si("3 kN/mm", kStiffness) - 3e6) < 1e-6);
+  assert_true(in_si("5 mPa s", kViscosity) == 5e-3);
+}
+
+std::string unit_error(const char *text, scene::Unit wanted) {
+  try {
+    scene::in_si(text, wanted);
+  } catch (const dem::Error &error) {
+    return error.what();
+  }
+  return "";
+}
+
+void wrong_units_are_refused(void **) {
+  using namespace scene;
+  assert_true(unit_error("2 s", kLength) == "'2 s' is in time (s) where length (m) is wanted");
+  assert_true(unit_error("2", kLength).find("a pure number") != std::string::npos);
+  assert_true(unit_error("2 Mm", kLength).find("'Mm' is no unit: did you mean") != std::string::npos);
+  assert_true(unit_error("mm", kLength).find("does not begin with a number") != std::string::npos);
+  assert_true(unit_error("2 m^x", kLength).find("no power") != std::string::npos);
+  assert_true(unit_error("2 m/", kLength).find("ends with '/'") != std::string::npos);
+  assert_true(
+      is_refused(basic + "[gravity]\nacceleration = [0, 0, \"1 m/s\"]\n", ":10: gravity.acceleration: '1 m/s'"));
+}
+
+void a_scene_says_what_it_means(void **) {
+  double mass = 0, step = 0, contact = 0, gravity = 0;
+  unsigned effects = 0;
+  size_t count = 0;
+  {
+    const scene::Scene scene = read(
+        "[[particles]]\nat = [[\"5 mm\", 0, 0]]\nradius = \"1 mm\"\ndensity = \"2500 kg/m^3\"\n"
+        "[[particles]]\nlattice = { counts = [2, 3, 4] }\nradius = 0.001\nfixed = true\n"
+        "[contact]\nstiffness = \"100 N/m\"\n[gravity]\nacceleration = [0, 0, \"-9.81 m/s^2\"]\n"
+        "[time]\nend = \"1 ms\"\nsteps_per_contact = 25\n");
+    mass = scene.setup.masses[0];
+    step = scene.setup.time_step;
+    contact = scene.shortest_contact;
+    gravity = scene.setup.gravity[2];
+    effects = scene.setup.effects;
+    count = scene.setup.count();
+  }
+  assert_true(std::fabs(mass / (4 * 3.14159265358979 / 3 * 1e-9 * 2500) - 1) < 1e-12);
+  assert_true(count == 25);
+  assert_true(std::fabs(contact / (3.14159265358979 * std::sqrt(mass / 100)) - 1) < 1e-12);  // with a fixed one
+  assert_true(std::fabs(step / (contact / 25) - 1) < 1e-12);
+  assert_true(gravity == -9.81);
+  assert_true(effects == dem::kGravity);
+}
+
+void words_are_compared_by_edits(void **) {
+  assert_int_equal(scene::edit_distance("kitten", "sitting"), 3);
+  assert_int_equal(scene::edit_distance("axse", "axes"), 1);
+  assert_int_equal(scene::edit_distance("", "abc"), 3);
+}
+
+// Every key is told in docs/simulation.md as the program prints it.
+bool docs_hold_the_reference() {
+  std::ifstream file(HGRID_SIMULATION_PAGE);
+  const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  return page.find(scene::key_reference()) != std::string::npos;
+}
+
+void docs_tell_every_key(void **) { assert_true(docs_hold_the_reference()); }
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(unknown_keys_are_refused_with_line_and_suggestion),
+      cmocka_unit_test(missing_keys_are_named),
+      cmocka_unit_test(wrong_values_are_named),
+      cmocka_unit_test(what_does_not_go_together_is_refused),
+      cmocka_unit_test(too_large_a_step_is_refused_with_its_line),
+      cmocka_unit_test(units_are_turned_to_si),
+      cmocka_unit_test(wrong_units_are_refused),
+      cmocka_unit_test(a_scene_says_what_it_means),
+      cmocka_unit_test(words_are_compared_by_edits),
+      cmocka_unit_test(docs_tell_every_key),
+  };
+  return cmocka_run_group_tests_name("scene", tests, nullptr, nullptr);
+}

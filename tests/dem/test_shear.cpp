@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Periodic axes and Lees-Edwards shear: pairs across the faces against all images, and a sheared gas against a box of
+// images in open space.
+#include "dem/engine/contact_search.hpp"
+#include "tests/dem/gas.hpp"
+#include "tests/particles/cmocka_cpp.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <utility>
+
+namespace {
+
+constexpr uint64_t kSeed = 31;
+
+using Pairs = std::set<std::pair<int, int>>;
+
+dem::Setup sheared_gas(double rate, double largest = 1) {
+  bodies::Gas gas;
+  gas.edge = 6;
+  gas.spacing = 2.0;
+  gas.largest = largest;
+  gas.temperature = 1;
+  gas.effects = dem::kShear;
+  dem::Setup setup = bodies::make_gas(gas, kSeed);
+  bodies::make_periodic(setup);
+  setup.shear_rate = rate;
+  for (size_t i = 0; i < setup.count(); i++) setup.velocities[3 * i] += rate * (setup.centers[3 * i + 1] - 6);
+  bodies::set_steps_per_contact(setup, 50);
+  return setup;
+}
+
+// All pairs that overlap through any of 27 images, of which those above are shifted by the offset.
+Pairs pairs_by_images(const dem::Setup &setup, double offset) {
+  Pairs pairs;
+  const double length = setup.box_max[0];
+  for (size_t i = 0; i < setup.count(); i++) {
+    for (size_t j = i + 1; j < setup.count(); j++) {
+      for (int image = 0; image < 27; image++) {
+        const double shift[3] = {image % 3 - 1.0, image / 3 % 3 - 1.0, image / 9 - 1.0};
+        double square = 0;
+        for (size_t k = 0; k < 3; k++) {
+          double d = setup.centers[3 * j + k] - setup.centers[3 * i + k] + shift[k] * length;
+          if (k == 0) {
+            d += shift[1] * offset;
+            d -= length * std::round(d / length);
+          }
+          square += d * d;
+        }
+        if (square < std::pow(setup.radii[i] + setup.radii[j], 2)) {
+          pairs.insert({static_cast<int>(i), static_cast<int>(j)});
+        }
+      }
+    }
+  }
+  return pairs;
+}
+
+bool search_agrees(double offset) {
+  const dem::Setup setup = sheared_gas(1, 1.3);
+  dem::ContactSearch search(setup);
+  const dem::PairView found = search.find(setup.centers.data(), nullptr, offset);
+  Pairs listed;
+  bool ascending = true;
+  for (size_t p = 0; p < found.count; p++) {
+    ascending = ascending && (listed.empty() || *listed.rbegin() < std::make_pair(found.data[p].a, found.data[p].b));
+    listed.insert({found.data[p].a, found.data[p].b});
+  }
+  const Pairs expected = pairs_by_images(setup, offset);
+  std::printf("offset %g: %zu pairs, %zu by images\n", offset, listed.size(), expected.size());
+  return ascending && !listed.empty() && listed.size() == found.count && listed == expected;
+}
+
+void pairs_across_sheared_faces_are_all_found(void **) {
+  // 6 is half a box length: an image to the left is as near as one to the right.
+  for (const double offset : {0.0, 0.7, 6.0, 11.9}) assert_true(search_agrees(offset));
+}
+
+// Two particles that meet through the faces along y as their images say.
+double speed_gained_across(double rate) {
+  dem::Setup setup;
+  setup.effects = dem::kShear;
+  bodies::set_linear(setup, 1e4);
+  for (int k = 0; k < 3; k++) bodies::set_periodic(setup, k, 0, 20);
+  setup.shear_rate = rate;
+  bodies::add(setup, {5, 19.5, 5}, {0, 4, 0}, 1, 1);
+  setup.time_step = 1e-3;
+  const auto engine = dem::make_engine(setup);
+  engine->run(1000);
+  const dem::Snapshot state = engine->snapshot();
+  std::printf("crossed to (%g, %g) with u_x = %g\n", state.centers[0], state.centers[1], state.velocities[0]);
+  return state.centers[1] < 10 ? state.velocities[0] : 1e9;
+}
+
+void crossing_a_face_takes_the_speed_of_the_image(void **) {
+  assert_true(std::fabs(speed_gained_across(0.3) + 0.3 * 20) < 1e-12);
+  assert_true(speed_gained_across(0) == 0);
+}
+
+// Shear of rate 0 is a periodic box.
+double shear_at_rest_error() {
+  const dem::Setup sheared = sheared_gas(0);
+  dem::Setup periodic = sheared;
+  periodic.effects &= ~static_cast<unsigned>(dem::kShear);
+  const auto a = dem::make_engine(sheared), b = dem::make_engine(periodic);
+  a->run(500);
+  b->run(500);
+  const dem::Snapshot one = a->snapshot(), other = b->snapshot();
+  double worst = 0;
+  for (size_t k = 0; k < one.velocities.size(); k++) {
+    worst = std::max(worst, std::fabs(one.velocities[k] - other.velocities[k]));
+  }
+  std::printf("shear of rate 0 and periodic box: velocities within %.3g\n", worst);
+  return worst;
+}
+
+void shear_at_rest_is_a_periodic_box(void **) { assert_true(shear_at_rest_error() < 1e-9); }
+
+// Work of the shear stress heats an elastic gas, and the mean velocity keeps its profile.
+void shear_heats_an_elastic_gas(void **) {
+  double start = 0, end = 0, slope = 0;
+  {
+    const dem::Setup setup = sheared_gas(1);
+    const auto engine = dem::make_engine(setup);
+    start = engine->measure().translation;
+    engine->run(8000);
+    end = engine->measure().translation;
+    const dem::Snapshot state = engine->snapshot();
+    double xy = 0, yy = 0;
+    for (size_t i = 0; i < state.radii.size(); i++) {
+      const double y = state.centers[3 * i + 1] - 6;
+      xy += state.masses[i] * y * state.velocities[3 * i];
+      yy += state.masses[i] * y * y;
+    }
+    slope = xy / yy;
+  }
+  std::printf("kinetic energy from %.4g to %.4g, profile %.3f\n", start, end, slope);
+  assert_true(end > 1.2 * start);
+  assert_true(slope > 0.5 && slope < 1.5);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(pairs_across_sheared_faces_are_all_found),
+      cmocka_unit_test(crossing_a_face_takes_the_speed_of_the_image),
+      cmocka_unit_test(shear_at_rest_is_a_periodic_box),
+      cmocka_unit_test(shear_heats_an_elastic_gas),
+  };
+  return cmocka_run_group_tests_name("shear", tests, nullptr, nullptr);
+}
