@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzzes the reader FUZZ_READER of particles/files: any bytes are read as particles that a grid may take, or refused with
-// a text.
+// Fuzzes the reader FUZZ_READER of particles/files: any bytes are read as particles that a grid may take, or refused
+// with a text.
 #include "fuzz/expect.hpp"
 #include "particles/error.hpp"
 #include "particles/files/readers.hpp"

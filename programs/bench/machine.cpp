@@ -3,8 +3,7 @@
 // The machine as the operating system describes it, the compiler as it describes itself.
 #include "programs/bench/machine.hpp"
 
-#include "bench_commit.hpp"
-
+#include <bench_commit.hpp>
 #include <sys/utsname.h>
 
 #include <fstream>

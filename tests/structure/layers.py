@@ -38,10 +38,12 @@ LAYERS = [
     ["programs/draw", "programs/measure"],
     ["programs/accuracy"],
     ["programs/accuracy/simulation"],
-    ["programs/hgrid", "programs/bench", "fuzz", "examples"],
+    ["programs/hgrid", "programs/bench"],
+    ["tests/support"],
+    ["fuzz", "examples"],
 ]
 # Clients stand on the public interface alone.
-PUBLIC_ONLY = ("particles", "oracle", "packing", "dem", "programs", "fuzz", "examples")
+PUBLIC_ONLY = ("particles", "oracle", "packing", "dem", "programs", "tests/support", "fuzz", "examples")
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.MULTILINE)
 RANK = {folder: rank for rank, entry in enumerate(LAYERS) for folder in entry}
 
