@@ -3,7 +3,7 @@
 #include "src/definition.hpp"
 
 #include "src/base/error.hpp"
-#include "src/base/sign.hpp"
+#include "src/base/ordered_bits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,28 +42,29 @@ void check_length(const char *name, double value) {
 Domain check_domain(const hg_grid_def &def) {
   Domain domain;
   domain.dimension = def.dimension;
-  for (int k = 0; k < def.dimension; k++) {
-    if (def.periodic[k] != 0 && def.periodic[k] != 1) {
-      fail(HG_ERR_ARGUMENT, "def.periodic[%d] = %d is not 0 or 1", k, static_cast<int>(def.periodic[k]));
+  for (int axis = 0; axis < def.dimension; axis++) {
+    if (def.periodic[axis] != 0 && def.periodic[axis] != 1) {
+      fail(HG_ERR_ARGUMENT, "def.periodic[%d] = %d is not 0 or 1", axis, static_cast<int>(def.periodic[axis]));
     }
-    const double low = def.box_min[k], high = def.box_max[k];
+    const double low = def.box_min[axis], high = def.box_max[axis];
     if (!std::isfinite(low) || !std::isfinite(high)) {
-      fail(HG_ERR_ARGUMENT, "def.box_min[%d], def.box_max[%d] = %g, %g are not finite", k, k, low, high);
+      fail(HG_ERR_ARGUMENT, "def.box_min[%d], def.box_max[%d] = %g, %g are not finite", axis, axis, low, high);
     }
-    domain.periodic[k] = def.periodic[k] == 1;
-    domain.any_periodic = domain.any_periodic || domain.periodic[k];
-    if (high < low || (domain.periodic[k] && high == low)) {
-      fail(HG_ERR_ARGUMENT, "def.box_max[%d] = %g is not above def.box_min[%d] = %g", k, high, k, low);
+    domain.periodic[axis] = def.periodic[axis] == 1;
+    domain.any_periodic = domain.any_periodic || domain.periodic[axis];
+    if (high < low || (domain.periodic[axis] && high == low)) {
+      fail(HG_ERR_ARGUMENT, "def.box_max[%d] = %g is not above def.box_min[%d] = %g", axis, high, axis, low);
     }
-    domain.box_min[k] = low;
-    domain.box_max[k] = high;
-    domain.length[k] = high - low;
-    if (!std::isfinite(domain.length[k])) fail(HG_ERR_ARGUMENT, "def.box_max[%d] - def.box_min[%d] overflows", k, k);
+    domain.box_min[axis] = low;
+    domain.box_max[axis] = high;
+    domain.length[axis] = high - low;
+    if (!std::isfinite(domain.length[axis]))
+      fail(HG_ERR_ARGUMENT, "def.box_max[%d] - def.box_min[%d] overflows", axis, axis);
   }
   return domain;
 }
 
-void check_levels(const hg_grid_def &def, Definition &checked) {
+LevelSettings check_levels(const hg_grid_def &def) {
   check_choice("level_rule", def.level_rule, HG_LEVELS_AUTO, HG_LEVELS_USER);
   if (def.level_count < 0) {
     fail(HG_ERR_ARGUMENT, "def.level_count = %d is negative", static_cast<int>(def.level_count));
@@ -72,9 +73,14 @@ void check_levels(const hg_grid_def &def, Definition &checked) {
     fail(HG_ERR_LIMIT, "def.level_count = %d: at most %d levels", static_cast<int>(def.level_count),
          static_cast<int>(HG_MAX_LEVELS));
   }
-  checked.level_rule = def.level_rule;
-  checked.level_count = def.level_count;
-  if (def.level_rule != HG_LEVELS_USER) return;
+  LevelSettings levels;
+  levels.rule = def.level_rule;
+  levels.level_count = def.level_count;
+  levels.cell_overhead = check_price("cell_overhead", def.cell_overhead, kPaperOverhead);
+  levels.counts_work = def.level_rule == HG_LEVELS_AUTO && def.cell_overhead < 0;
+  levels.prices.level = check_price("level_price", def.level_price, kLevelPrice);
+  levels.prices.row = check_price("row_price", def.row_price, kRowPrice);
+  if (def.level_rule != HG_LEVELS_USER) return levels;
   if (def.level_count == 0) fail(HG_ERR_ARGUMENT, "def.level_count = 0: HG_LEVELS_USER needs cell_sizes");
   if (def.cell_sizes == nullptr) fail(HG_ERR_NULL, "def.cell_sizes is NULL with HG_LEVELS_USER");
   for (int h = 0; h < def.level_count; h++) {
@@ -84,8 +90,9 @@ void check_levels(const hg_grid_def &def, Definition &checked) {
       fail(HG_ERR_ARGUMENT, "def.cell_sizes[%d] = %g is not above cell_sizes[%d] = %g", h, s, h - 1,
            def.cell_sizes[h - 1]);
     }
-    checked.cell_sizes[h] = s;
+    levels.cell_sizes[h] = s;
   }
+  return levels;
 }
 
 }  // namespace
@@ -118,7 +125,7 @@ Definition check_definition(const hg_grid_def &caller) {
   check_choice("dimension", def.dimension, 2, 3);
   check_choice("thread_count", def.thread_count, 0, 1024);
   check_choice("index_base", def.index_base, 0, 1);
-  check_choice("interaction", def.interaction, HG_CONTACT, HG_MAX_RANGE);
+  check_choice("interaction", def.interaction, 0, InteractionRules::kCount - 1);
   check_choice("accuracy", def.accuracy, HG_EXACT, HG_FLOAT);
   check_choice("pair_order", def.pair_order, HG_ORDER_GRID, HG_ORDER_ID);
   check_choice("reserved0", def.reserved0, 0, 0);
@@ -135,11 +142,7 @@ Definition check_definition(const hg_grid_def &caller) {
   checked.interaction = {def.interaction, def.margin};
   checked.skin = def.skin;
   checked.domain = check_domain(def);
-  check_levels(def, checked);
-  checked.cell_overhead = check_price("cell_overhead", def.cell_overhead, kPaperOverhead);
-  checked.counts_work = def.level_rule == HG_LEVELS_AUTO && def.cell_overhead < 0;
-  checked.prices.level = check_price("level_price", def.level_price, kLevelPrice);
-  checked.prices.row = check_price("row_price", def.row_price, kRowPrice);
+  checked.levels = check_levels(def);
   return checked;
 }
 

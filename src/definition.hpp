@@ -5,7 +5,7 @@
 
 #include "src/exact/domain.hpp"
 #include "src/exact/interaction.hpp"
-#include "src/levels/level_cost.hpp"
+#include "src/levels/level_choice.hpp"
 
 #include <hgrid/types.h>
 
@@ -17,13 +17,8 @@ struct Definition {
   int32_t index_base = 0;
   int32_t accuracy = HG_EXACT;
   int32_t pair_order = HG_ORDER_GRID;
-  int32_t level_rule = HG_LEVELS_AUTO;
-  int level_count = 0;
-  double cell_sizes[HG_MAX_LEVELS] = {};
   double skin = 0;
-  double cell_overhead = 0;  // K, where Eq. 7 decides
-  bool counts_work = false;  // `prices` decide instead
-  WorkPrices prices;
+  LevelSettings levels;
   Interaction interaction;
   Domain domain;
 };

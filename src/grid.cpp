@@ -2,17 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/grid.hpp"
 
-#include "src/base/error.hpp"
 #include "src/base/parallel.hpp"
-#include "src/base/sign.hpp"
 #include "src/pairs/pair_visit.hpp"
-#include "src/search/pair_search.hpp"
-#include "src/search/sphere_search.hpp"
+#include "src/search/skin.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
 
 namespace hg {
 namespace {
@@ -35,43 +29,28 @@ class VisitScope {
   Visit visit_;
 };
 
-double largest_diameter(const Definition &definition) {
-  return definition.level_rule == HG_LEVELS_USER ? definition.cell_sizes[definition.level_count - 1]
-                                                 : std::numeric_limits<double>::infinity();
-}
-
-// S such that S^d is the volume the particles fill; by roots first, so that no product overflows.
-double mean_edge(const Bounds &bounds, int dimension) {
-  double edge = 1;
-  for (int k = 0; k < dimension; k++) edge *= std::pow(bounds.width[k], 1.0 / dimension);
-  return edge;
-}
-
-constexpr double kFittedPrecision = 1e-3;  // of m(L) for HG_LEVELS_AUTO, whose cost model is no better
-
 }  // namespace
 
 Grid::Grid(const Definition &definition, const hg_allocator &allocator)
     : definition_(definition),
       threads_(usable_threads(definition.thread_count)),
       memory_(allocator),
-      store_(memory_, definition.domain, definition.interaction, definition.index_base, largest_diameter(definition),
-             threads_),
+      store_(memory_,
+             InputCheck(definition.domain, definition.interaction, definition.levels.largest_diameter(), threads_),
+             definition.domain.dimension, definition.index_base),
       overlap_(definition.interaction, definition.accuracy, definition.domain),
-      classes_(memory_),
+      level_choice_(memory_, definition.levels, definition.interaction),
+      index_(memory_, definition.domain, definition.interaction),
       scratch_(memory_),
-      index_(memory_),
+      tasks_(memory_),
       candidates_(memory_, threads_),
-      search_(index_, store_, overlap_),
+      search_(index_, tasks_, store_, overlap_),
       filter_(candidates_, store_, overlap_),
-      workers_(memory_, threads_),
+      pool_(memory_, threads_),
       pairs_(memory_),
       order_(memory_),
       rows_{NeighborRows(memory_), NeighborRows(memory_)},
-      by_slot_(memory_) {
-  index_.interaction = definition.interaction;
-  index_.domain = definition.domain;
-}
+      by_slot_(memory_) {}
 
 bool Grid::is_visited() const {
   for (const Visit *visit = current_visit; visit != nullptr; visit = visit->outer) {
@@ -109,7 +88,7 @@ void Grid::clear() {
 
 void Grid::changed(bool radii) {
   built_ = false;
-  classes_made_ = classes_made_ && !radii;
+  if (radii) level_choice_.radii_changed();
   grown_ = grown_ || radii;
   pairs_found_ = false;
   rows_made_[HG_HALF] = rows_made_[HG_FULL] = false;
@@ -120,69 +99,45 @@ void Grid::build() {
   build_locked();
 }
 
+BuiltGrid Grid::built() {
+  build();
+  return {store_, overlap_, index_, candidates_};
+}
+
 void Grid::build_locked() {
   if (built_) return;
   // While the candidates hold, the index does too: its reach is wider by the skin.
-  if (candidates_.follow(store_, grown_)) {
+  if (candidates_.update(store_, grown_)) {
     built_ = true;
     return;
   }
   store_.compact();
-  const Bounds bounds = bounds_of(store_, definition_.domain, threads_);
-  const double skin = skin_pays_ ? usable_skin(definition_.skin, definition_.interaction, definition_.domain, bounds,
+  const Domain &domain = definition_.domain;
+  const Bounds bounds = bounds_of(store_, domain, threads_);
+  const FilledVolume volume = FilledVolume::of(bounds, domain.dimension);
+  const double skin = skin_pays_ ? usable_skin(definition_.skin, definition_.interaction, domain, bounds,
                                                definition_.accuracy, store_.slots())
                                  : 0;
   index_.interaction = definition_.interaction.widened(skin);
-  LevelRequest request;
-  request.dimension = definition_.dimension;
-  request.level_count = definition_.level_count;
-  request.cell_overhead = definition_.cell_overhead;
-  request.edge = mean_edge(bounds, definition_.dimension);
-  request.precision = definition_.level_rule == HG_LEVELS_PAPER ? 0 : kFittedPrecision;
-  request.interaction = index_.interaction;
-  plan_ = plan(request, bounds);
-  build_index(index_, scratch_, store_, bounds, plan_, threads_);
-  describe_levels(request);
+  // Without particles a box has no resolution that its period could be counted in.
+  if (store_.slots() > 0) {
+    index_.map = FixedPoint::over(bounds, domain, index_.interaction.diameter(bounds.max_radius));
+  }
+  plan_ = level_choice_.choose(store_, index_.map, volume, index_.interaction);
+  build_index(index_, scratch_, store_, plan_, threads_);
+  tasks_.list(index_);
+  describe_levels(volume);
   stats_.build_count++;
   built_ = true;
   grown_ = false;
 }
 
-LevelPlan Grid::plan(LevelRequest request, const Bounds &bounds) {
-  if (definition_.level_rule == HG_LEVELS_USER) {
-    LevelPlan levels = user_levels(definition_.cell_sizes, definition_.level_count, definition_.interaction);
-    const double skin = request.interaction.margin - definition_.interaction.margin;
-    for (int h = 0; skin > 0 && h < levels.level_count; h++) {
-      levels.levels[h].cell_size = (levels.levels[h].cell_size + skin) * (1 + 0x1p-40);
-    }
-    return levels;
-  }
-  if (!classes_made_ && definition_.level_rule == HG_LEVELS_PAPER) {
-    classes_.sort_radii(store_.radii(), store_.slots());
-  } else if (!classes_made_) {
-    classes_.bin_radii(store_.radii(), store_.slots());
-  }
-  classes_made_ = true;
-  if (!definition_.counts_work || store_.slots() == 0) return plan_levels(classes_, request);
-  const Interaction &interaction = request.interaction;
-  const Frame frame = Frame::over(bounds, definition_.domain, interaction.diameter(bounds.max_radius));
-  // One size leaves no choice that would be worth a sample.
-  const Filling filling = classes_.count() == 1 ? Filling::even(frame.extent, definition_.dimension)
-                                                : Filling::sample(store_, definition_.domain, frame);
-  const LevelCost work(classes_, interaction, frame, definition_.dimension, filling);
-  request.work = &work;
-  request.prices = definition_.prices;
-  return plan_levels(classes_, request);
-}
-
-void Grid::describe_levels(const LevelRequest &request) {
+void Grid::describe_levels(const FilledVolume &volume) {
   for (int h = 0; h < index_.level_count; h++) {
     const IndexLevel &level = index_.levels[h];
     const int64_t particles = level.end - level.begin;
-    levels_[h].cell_size = level.plan.cell_size;
-    levels_[h].largest_radius = level.largest_radius;
-    levels_[h].occupancy = occupancy(particles, level.plan.cell_size, request);
-    levels_[h].particle_count = particles;
+    levels_[h] = {level.plan.cell_size, level.largest_radius, occupancy(particles, level.plan.cell_size, volume),
+                  particles};
   }
 }
 
@@ -197,13 +152,9 @@ Grid::Answer Grid::answer_locked() {
   const bool wide = index_.interaction.margin > definition_.interaction.margin;
   if (wide && skin_pays_) {
     // If not, the wide index serves for this answer; the next one is made without a skin.
-    skin_pays_ = candidates_.collect(index_, store_, definition_.interaction, workers_, answer.collected);
+    skin_pays_ = candidates_.collect(index_, tasks_, store_, definition_.interaction, pool_, answer.collected);
   }
-  if (candidates_.kept()) {
-    answer.source = &filter_;
-  } else {
-    answer.source = &search_;
-  }
+  answer.source = candidates_.kept() ? static_cast<const PairSource *>(&filter_) : &search_;
   return answer;
 }
 
@@ -224,7 +175,7 @@ void Grid::find_pairs_locked() {
   build_locked();
   if (pairs_found_) return;
   const Answer answer = answer_locked();
-  const SearchCounts counts = pairs_.gather(*answer.source, workers_, store_.slots());
+  const SearchCounts counts = pairs_.gather(*answer.source, pool_, store_.slots());
   if (definition_.pair_order == HG_ORDER_ID) {
     order_.ascend(pairs_.data(), pairs_.count(), store_.slots(), store_.id_offset());
   }
@@ -287,24 +238,6 @@ void Grid::query_neighbors(int32_t list, const int64_t **offsets, const int32_t 
   make_rows_locked(list);
   *offsets = rows_[list].offsets();
   *neighbors = rows_[list].neighbors();
-}
-
-size_t Grid::query_sphere(const Ball &sphere, Buffer<int32_t> &found) {
-  for (int k = 0; k < definition_.dimension; k++) {
-    const double x = sphere.center[k];
-    if (!std::isfinite(x)) fail(HG_ERR_ARGUMENT, "center[%d] = %g is not finite", k, x);
-    if (!(std::fabs(definition_.domain.wraps(k, x)) <= kMaxWraps)) {
-      fail(HG_ERR_ARGUMENT, "center[%d] = %g: more than 2^20 box lengths outside the periodic box", k, x);
-    }
-  }
-  if (!std::isfinite(sphere.radius) || is_negative(sphere.radius)) {
-    fail(HG_ERR_ARGUMENT, "radius = %g is not finite and >= 0", sphere.radius);
-  }
-  build();
-  const size_t count = search_sphere(index_, store_, overlap_, candidates_, sphere, found);
-  for (size_t k = 0; k < count; k++) found[k] = store_.id(static_cast<size_t>(found[k]));
-  std::sort(found.data(), found.data() + count);
-  return count;
 }
 
 void Grid::query_levels(const hg_level **levels, size_t *count) {

@@ -6,15 +6,15 @@
 #include "src/base/memory.hpp"
 #include "src/definition.hpp"
 #include "src/exact/overlap.hpp"
-#include "src/index/index.hpp"
-#include "src/levels/level_plan.hpp"
-#include "src/levels/size_classes.hpp"
+#include "src/index/build_index.hpp"
+#include "src/levels/level_choice.hpp"
 #include "src/pairs/neighbor_rows.hpp"
 #include "src/pairs/pair_list.hpp"
 #include "src/pairs/pair_order.hpp"
-#include "src/particles/particle_store.hpp"
+#include "src/particles/bounds.hpp"
+#include "src/search/built_grid.hpp"
+#include "src/search/candidate_filter.hpp"
 #include "src/search/pair_search.hpp"
-#include "src/search/stored_candidates.hpp"
 
 #include <hgrid/types.h>
 
@@ -33,11 +33,11 @@ class Grid {
 
   // The calls below build the index if it is out of date. They may run in parallel with each other.
   void build();
+  // For queries of single places (search/), which keep no results here.
+  BuiltGrid built();
   void query_pairs(const hg_pair **pairs, size_t *count);
   void visit_pairs(hg_pair_visitor *visit, void *context);
   void query_neighbors(int32_t list, const int64_t **offsets, const int32_t **neighbors);
-  // `found` receives the ids in ascending order.
-  size_t query_sphere(const Ball &sphere, Buffer<int32_t> &found);
   void query_levels(const hg_level **levels, size_t *count);
   void query_level_costs(const hg_level_cost **costs, size_t *count);
   hg_grid_stats stats();
@@ -45,23 +45,23 @@ class Grid {
   // True on a thread that is inside a visitor of this grid.
   bool is_visited() const;
   const hg_allocator &allocator() const { return memory_.allocator(); }
-  size_t dimension() const { return static_cast<size_t>(definition_.dimension); }
+  size_t dimension() const { return static_cast<size_t>(definition_.domain.dimension); }
 
  private:
-  void build_locked();
-  void find_pairs_locked();
-  LevelPlan plan(LevelRequest request, const Bounds &bounds);
-  void describe_levels(const LevelRequest &request);
-  void make_rows_locked(int32_t list);
   // What answers a query of pairs.
   struct Answer {
     const PairSource *source = nullptr;
     bool searched = false;   // else stored candidates are filtered
     SearchCounts collected;  // by that search, if it stored candidates
   };
+
+  void changed(bool radii);
+  void build_locked();
+  void describe_levels(const FilledVolume &volume);
   Answer answer_locked();
   void count_answer(const Answer &answer, const SearchCounts &counts, size_t pairs);
-  void changed(bool radii);
+  void find_pairs_locked();
+  void make_rows_locked(int32_t list);
 
   Definition definition_;
   int threads_;
@@ -69,12 +69,13 @@ class Grid {
   std::mutex mutex_;  // makes queries of several threads on one grid take turns where they store results
   ParticleStore store_;
   Overlap overlap_;
-  SizeClasses classes_;
-  bool classes_made_ = false;  // of the radii as they are; kept while only centres move
-  BuildScratch scratch_;
-  Index index_;
+
+  LevelChoice level_choice_;
   LevelPlan plan_;
   hg_level levels_[HG_MAX_LEVELS];
+  Index index_;
+  BuildScratch scratch_;
+  SearchTasks tasks_;
   bool built_ = false;
 
   StoredCandidates candidates_;
@@ -83,7 +84,7 @@ class Grid {
 
   PairSearch search_;
   CandidateFilter filter_;
-  PairWorkers workers_;
+  PairPool pool_;
   PairList pairs_;
   bool pairs_found_ = false;
   PairOrder order_;

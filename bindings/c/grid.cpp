@@ -3,6 +3,7 @@
 // The functions of include/hgrid/grid.h and types.h.
 #include "bindings/c/aligned.hpp"
 #include "bindings/c/guard.hpp"
+#include "src/search/sphere_search.hpp"
 
 #include <cstring>
 
@@ -123,7 +124,7 @@ hg_status hg_query_sphere(hg_grid *grid, const double *center, double radius, co
     check_pointer(count, "count");
     const Aligned<double> x(g.allocator(), center, 1, g.dimension());
     hg::SphereResult &result = hg::sphere_result();
-    const size_t found = g.query_sphere({x.get(), radius}, result.ids);
+    const size_t found = hg::query_sphere(g.built(), {x.get(), radius}, result.ids);
     *ids = found == 0 ? nullptr : result.ids.data();
     *count = found;
   });

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/exact/exact_sign.hpp"
 
+#include "src/base/ordered_bits.hpp"
+
 #include <algorithm>
 #include <cstring>
 
@@ -22,8 +24,7 @@ struct Parts {
 };
 
 Parts decompose(double value) {
-  Limb bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
+  const Limb bits = bits_of(value);
   Parts parts{(bits >> 63) != 0, bits & ((Limb{1} << 52) - 1), static_cast<int>(bits >> 52 & 0x7ff)};
   if (parts.exponent != 0) {
     parts.mantissa |= Limb{1} << 52;
@@ -145,8 +146,8 @@ bool decide_in_words(const ExactSum *difference, int dimension, const ExactSum &
   if (!fits_word(reach, range.least, size)) return false;
   const WideLimb reach2 = static_cast<WideLimb>(size) * size;
   WideLimb distance2 = 0;  // three squares below 2^126 each
-  for (int k = 0; k < dimension; k++) {
-    if (!fits_word(difference[k], range.least, size)) return false;
+  for (int axis = 0; axis < dimension; axis++) {
+    if (!fits_word(difference[axis], range.least, size)) return false;
     distance2 += static_cast<WideLimb>(size) * size;
   }
   less = distance2 < reach2;
@@ -158,7 +159,7 @@ bool decide_in_words(const ExactSum *difference, int dimension, const ExactSum &
 bool exact_less(const ExactSum *difference, int dimension, const ExactSum &reach) {
   ExponentRange range;
   range.include(reach);
-  for (int k = 0; k < dimension; k++) range.include(difference[k]);
+  for (int axis = 0; axis < dimension; axis++) range.include(difference[axis]);
   if (range.greatest < range.least) return false;  // every term is zero
   bool less = false;
   if (decide_in_words(difference, dimension, reach, range, less)) return less;
@@ -168,7 +169,8 @@ bool exact_less(const ExactSum *difference, int dimension, const ExactSum &reach
   const size_t size = sizeof(Limb) * static_cast<size_t>(2 * limbs + 1);
   std::memset(left, 0, size);
   std::memset(right, 0, size);
-  for (int k = 0; k < dimension; k++) add_square(left, to_integer(difference[k], range.least, limbs), limbs);
+  for (int axis = 0; axis < dimension; axis++)
+    add_square(left, to_integer(difference[axis], range.least, limbs), limbs);
   add_square(right, to_integer(reach, range.least, limbs), limbs);
   for (int k = 2 * limbs; k >= 0; k--) {
     if (left[k] != right[k]) return left[k] < right[k];

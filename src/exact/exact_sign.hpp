@@ -22,7 +22,7 @@ struct ExactSum {
   void add(double value, int64_t factor) { terms[count++] = {value, factor}; }
 };
 
-// True if the sum over k < dimension of difference[k]^2 is less than reach^2.
+// True if the sum over axes of difference[axis]^2 is less than reach^2.
 bool exact_less(const ExactSum *difference, int dimension, const ExactSum &reach);
 
 }  // namespace hg

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Decides whether two particles interact, on the caller's own doubles. The kernels ask it only about the few pairs that
-// their fast test leaves open; docs/exactness.md derives the bounds.
+// their fast test leaves undecided.
 #pragma once
 
 #include "src/exact/domain.hpp"
 #include "src/exact/interaction.hpp"
 
-#include <atomic>
-#include <cstddef>
 #include <cstdint>
 
 namespace hg {
@@ -28,14 +26,14 @@ class Overlap {
         domain_(domain) {}
 
   // Do a, moved by `image` box lengths from where it lies in the box, and b interact? Adds 1 to `exact` if even double
-  // arithmetic left it open.
-  bool test(const Ball &a, const Ball &b, Image image, int64_t &exact) const;
+  // arithmetic left it undecided.
+  bool holds(const Ball &a, const Ball &b, Image image, int64_t &exact) const;
 
   int32_t accuracy() const { return accuracy_; }
   const Interaction &interaction() const { return interaction_; }
 
  private:
-  bool test_exactly(const Ball &a, const Ball &b, const double *boxes) const;
+  bool holds_exactly(const Ball &a, const Ball &b, const double *boxes) const;
 
   Interaction interaction_;
   int32_t accuracy_;

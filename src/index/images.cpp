@@ -5,27 +5,34 @@
 namespace hg {
 namespace {
 
-bool reaches_box(const Index &index, uint32_t i, float window, int axis, int step) {
-  if (step == 0) return true;
-  if (!index.domain.periodic[axis]) return false;
-  const Buffer<int32_t> &x = axis == 0 ? index.particles.x : (axis == 1 ? index.particles.y : index.particles.z);
-  const float at = static_cast<float>(x[i]) + static_cast<float>(step) * static_cast<float>(index.frame.period[axis]);
-  return at + window >= 0 && at - window <= static_cast<float>(index.frame.period[axis]);
-}
+// The steps, in box lengths, that leave a particle so near to the box that it may reach into it: 0 and what is next to
+// it.
+struct Steps {
+  int first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
+  bool any = false;
+
+  Steps(const Index &index, uint32_t i, float reach) {
+    for (int axis = 0; axis < index.domain.dimension; axis++) {
+      if (!index.domain.periodic[axis]) continue;
+      const auto period = static_cast<float>(index.map.period[axis]);
+      const auto x = static_cast<float>(index.particles.column(axis)[i]);
+      if ((x - period) + reach >= 0) first[axis] = -1;
+      if ((x + period) - reach <= period) last[axis] = 1;
+      any = any || first[axis] < last[axis];
+    }
+  }
+};
 
 void append(Index &index, uint32_t i, Image image, uint32_t at) {
   PointStore &images = index.images;
-  images.x.grow(at + 1 + kPadding);
-  images.y.grow(at + 1 + kPadding);
-  images.radius.grow(at + 1 + kPadding);
-  images.slot.grow(at + 1 + kPadding);
-  images.image.grow(at + 1 + kPadding);
-  images.x[at] = index.particles.x[i] + image_step(image, 0) * index.frame.period[0];
-  images.y[at] = index.particles.y[i] + image_step(image, 1) * index.frame.period[1];
-  if (index.domain.dimension == 3) {
-    images.z.grow(at + 1 + kPadding);
-    images.z[at] = index.particles.z[i] + image_step(image, 2) * index.frame.period[2];
+  const size_t room = at + 1 + kPadding;
+  for (int axis = 0; axis < index.domain.dimension; axis++) {
+    images.column(axis).grow(room);
+    images.column(axis)[at] = index.particles.column(axis)[i] + image_step(image, axis) * index.map.period[axis];
   }
+  images.radius.grow(room);
+  images.slot.grow(room);
+  images.image.grow(room);
   images.radius[at] = index.particles.radius[i];
   images.slot[at] = index.particles.slot[i];
   images.image[at] = image;
@@ -33,19 +40,16 @@ void append(Index &index, uint32_t i, Image image, uint32_t at) {
 
 // Images of one level whose step is forward (lexicographically positive) or backward.
 uint32_t add_images(Index &index, const IndexLevel &level, bool forward, uint32_t at) {
-  const int z_steps = index.domain.dimension == 3 ? 1 : 0;
+  // The largest reach of a particle towards its own and finer levels.
+  const float reach = 2 * level.cells.largest_radius * kSearchScale + kSearchSlack;
   for (uint32_t i = level.begin; i < level.end; i++) {
-    // The largest reach of this particle towards its own and finer levels.
-    const float window = 2 * level.cells.largest_radius * kWindowScale + kWindowSlack;
-    for (int z = -z_steps; z <= z_steps; z++) {
-      for (int y = -1; y <= 1; y++) {
-        for (int x = -1; x <= 1; x++) {
+    const Steps steps(index, i, reach);
+    if (!steps.any) continue;
+    for (int z = steps.first[2]; z <= steps.last[2]; z++) {
+      for (int y = steps.first[1]; y <= steps.last[1]; y++) {
+        for (int x = steps.first[0]; x <= steps.last[0]; x++) {
           const bool is_forward = z > 0 || (z == 0 && (y > 0 || (y == 0 && x > 0)));
           if ((x == 0 && y == 0 && z == 0) || is_forward != forward) continue;
-          if (!reaches_box(index, i, window, 0, x) || !reaches_box(index, i, window, 1, y) ||
-              !reaches_box(index, i, window, 2, z)) {
-            continue;
-          }
           append(index, i, make_image(x, y, z), at++);
         }
       }

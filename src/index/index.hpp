@@ -5,12 +5,13 @@
 #pragma once
 
 #include "src/base/memory.hpp"
+#include "src/exact/domain.hpp"
+#include "src/exact/interaction.hpp"
 #include "src/index/sparse_rows.hpp"
-#include "src/kernels/kernel.hpp"
+#include "src/kernels/points.hpp"
 #include "src/levels/level_plan.hpp"
-#include "src/particles/particle_store.hpp"
-#include "src/space/bounds.hpp"
-#include "src/space/frame.hpp"
+#include "src/space/cell_table.hpp"
+#include "src/space/fixed_point.hpp"
 
 #include <cstdint>
 
@@ -23,19 +24,20 @@ class PointStore {
   PointArrays arrays(bool with_images) const {
     return {x.data(), y.data(), z.data(), radius.data(), slot.data(), with_images ? image.data() : nullptr};
   }
+  Buffer<int32_t> &column(int axis) { return axis == 0 ? x : (axis == 1 ? y : z); }
+  const Buffer<int32_t> &column(int axis) const { return axis == 0 ? x : (axis == 1 ? y : z); }
   // Room for `count` points and defined values in the padding; contents are lost.
   void require(size_t count, int dimension);
 
   Buffer<int32_t> x, y, z;
   Buffer<float> radius;
   Buffer<uint32_t> slot;
-  Buffer<uint8_t> image;
+  Buffer<Image> image;
 };
 
 struct IndexLevel {
   PlannedLevel plan;
   double largest_radius = 0;    // of the particles on the level
-  double occupancy = 0;         // m_h
   uint32_t begin = 0, end = 0;  // in the sorted particles
   // Periodic images that reach into the box, in the sorted images: those that stand for a step forward come first, so
   // that own-level pairs across the box are met from one side only.
@@ -43,25 +45,28 @@ struct IndexLevel {
   bool sparse = false;
   CellTable cells{};   // unless sparse
   SparseLevel rows{};  // if sparse
-};
 
-// A piece of the search: points [begin, end), particles of `level` or its images, against `target`, a level not
-// coarser.
-struct SearchTask {
-  int level, target;
-  bool images;
-  uint32_t begin, end;
+  bool is_empty() const { return begin == end; }
 };
 
 // Read-only once built.
 class Index {
  public:
-  explicit Index(Memory &memory)
-      : particles(memory), images(memory), sparse(memory), cell_begin(memory), tasks(memory) {}
+  Index(Memory &memory, const Domain &of_domain, const Interaction &of_interaction)
+      : domain(of_domain),
+        interaction(of_interaction),
+        particles(memory),
+        images(memory),
+        sparse(memory),
+        cell_begin(memory) {}
 
-  Interaction interaction;
+  uint32_t image_count() const { return level_count > 0 ? levels[level_count - 1].image_end : 0; }
+  // Farther than any two of its particles interact.
+  double largest_reach() const { return interaction.diameter(largest_radius); }
+
   Domain domain;
-  Frame frame;
+  Interaction interaction;  // that it is made for: the grid's, or wider by a skin
+  FixedPoint map;
   int level_count = 0;
   IndexLevel levels[HG_MAX_LEVELS];
   double largest_radius = 0;
@@ -71,20 +76,6 @@ class Index {
   PointStore images;
   SparseRows sparse;
   Buffer<uint32_t> cell_begin;
-  Buffer<SearchTask> tasks;  // all of the search, in the order of its pairs
-  size_t task_count = 0;
 };
-
-// What building needs besides the index, kept between builds.
-struct BuildScratch {
-  explicit BuildScratch(Memory &memory) : row_of(memory), row_begin(memory), row(memory) {}
-  Buffer<uint32_t> row_of;     // of each particle, in slot order
-  Buffer<uint32_t> row_begin;  // for each part of the particles
-  Buffer<uint32_t> row;        // for each worker, room to sort a row: 2 words per particle
-};
-
-// Sorts the particles of the store (which has no gaps) into the levels of the plan. O(N) for dense levels.
-void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store, const Bounds &bounds,
-                 const LevelPlan &plan, int threads);
 
 }  // namespace hg

@@ -16,7 +16,7 @@ SparseLevel SparseRows::add_level(const ParticleStore &store, const Domain &doma
                                   uint32_t *slots, uint32_t begin, uint32_t count) {
   SparseLevel level;
   level.width = width;
-  for (int k = 0; k < domain.dimension; k++) level.origin[k] = origin[k];
+  for (int axis = 0; axis < domain.dimension; axis++) level.origin[axis] = origin[axis];
   level.begin = begin;
   level.end = begin + count;
   level.offset = particles_;

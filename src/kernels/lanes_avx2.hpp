@@ -3,7 +3,9 @@
 // Eight lanes: AVX2 (x86-64-v3).
 #pragma once
 
-#include "src/kernels/kernel.hpp"
+#include "src/kernels/points.hpp"
+
+#include <hgrid/types.h>
 
 #include <immintrin.h>
 
@@ -37,11 +39,11 @@ struct Avx2Lanes {
   static Int iota() { return _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7); }
 
   // As in lanes_sse2.hpp.
-  static Int records(const Record *points, const int32_t *index) {
-    const auto record = [=](int pair) {
+  static Int load_points(const Point *points, const int32_t *index) {
+    const auto point = [=](int pair) {
       return _mm_loadu_si128(reinterpret_cast<const __m128i *>(points + index[2 * pair]));
     };
-    return _mm256_inserti128_si256(_mm256_castsi128_si256(record(0)), record(4), 1);
+    return _mm256_inserti128_si256(_mm256_castsi128_si256(point(0)), point(4), 1);
   }
   static Int low_words(Int a, Int b) { return _mm256_unpacklo_epi32(a, b); }
   static Int high_words(Int a, Int b) { return _mm256_unpackhi_epi32(a, b); }

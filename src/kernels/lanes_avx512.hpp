@@ -3,7 +3,9 @@
 // Sixteen lanes: AVX-512 F, BW, DQ, VL.
 #pragma once
 
-#include "src/kernels/kernel.hpp"
+#include "src/kernels/points.hpp"
+
+#include <hgrid/types.h>
 
 #include <immintrin.h>
 
@@ -23,12 +25,12 @@ struct Avx512Lanes {
   static Int iota() { return _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15); }
 
   // As in lanes_sse2.hpp.
-  static Int records(const Record *points, const int32_t *index) {
-    const auto record = [=](int pair) {
+  static Int load_points(const Point *points, const int32_t *index) {
+    const auto point = [=](int pair) {
       return _mm_loadu_si128(reinterpret_cast<const __m128i *>(points + index[2 * pair]));
     };
-    const Int two = _mm512_inserti32x4(_mm512_castsi128_si512(record(0)), record(4), 1);
-    return _mm512_inserti32x4(_mm512_inserti32x4(two, record(8), 2), record(12), 3);
+    const Int two = _mm512_inserti32x4(_mm512_castsi128_si512(point(0)), point(4), 1);
+    return _mm512_inserti32x4(_mm512_inserti32x4(two, point(8), 2), point(12), 3);
   }
   static Int low_words(Int a, Int b) { return _mm512_unpacklo_epi32(a, b); }
   static Int high_words(Int a, Int b) { return _mm512_unpackhi_epi32(a, b); }

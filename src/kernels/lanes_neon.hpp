@@ -3,7 +3,9 @@
 // Four lanes: NEON, which every 64-bit ARM has.
 #pragma once
 
-#include "src/kernels/kernel.hpp"
+#include "src/kernels/points.hpp"
+
+#include <hgrid/types.h>
 
 #include <arm_neon.h>
 
@@ -44,7 +46,7 @@ struct NeonLanes {
   }
 
   // As in lanes_sse2.hpp.
-  static Int records(const Record *points, const int32_t *index) { return load(&points[index[0]].x); }
+  static Int load_points(const Point *points, const int32_t *index) { return load(&points[index[0]].x); }
   static Int low_words(Int a, Int b) { return vzip1q_s32(a, b); }
   static Int high_words(Int a, Int b) { return vzip2q_s32(a, b); }
   static Int low_doubles(Int a, Int b) {

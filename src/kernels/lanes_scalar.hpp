@@ -3,7 +3,9 @@
 // One lane, no vector instructions: what the other instruction sets are held against.
 #pragma once
 
-#include "src/kernels/kernel.hpp"
+#include "src/kernels/points.hpp"
+
+#include <hgrid/types.h>
 
 #include <cmath>
 

@@ -3,7 +3,9 @@
 // Four lanes: SSE2, which every x86-64 has.
 #pragma once
 
-#include "src/kernels/kernel.hpp"
+#include "src/kernels/points.hpp"
+
+#include <hgrid/types.h>
 
 #include <emmintrin.h>
 
@@ -22,9 +24,9 @@ struct Sse2Lanes {
   static Int set(int32_t a) { return _mm_set1_epi32(a); }
   static Int iota() { return _mm_setr_epi32(0, 1, 2, 3); }
 
-  // Records of pairs 0, 4, 8, 12 side by side, as many as there is room for; `index` is that of pair 0, of every other
+  // Points of pairs 0, 4, 8, 12 side by side, as many as there is room for; `index` is that of pair 0, of every other
   // integer one is meant. The rest takes such quarters apart: low and high halves of each, interleaved.
-  static Int records(const Record *points, const int32_t *index) { return load(&points[index[0]].x); }
+  static Int load_points(const Point *points, const int32_t *index) { return load(&points[index[0]].x); }
   static Int low_words(Int a, Int b) { return _mm_unpacklo_epi32(a, b); }
   static Int high_words(Int a, Int b) { return _mm_unpackhi_epi32(a, b); }
   static Int low_doubles(Int a, Int b) { return _mm_unpacklo_epi64(a, b); }

@@ -3,23 +3,28 @@
 // Puts the kernels of one instruction set together. Included once by the file of each instruction set.
 #pragma once
 
+#include "src/kernels/build.hpp"
 #include "src/kernels/filter.hpp"
-#include "src/kernels/follow.hpp"
-#include "src/kernels/keys.hpp"
+#include "src/kernels/input_check.hpp"
 #include "src/kernels/search.hpp"
-#include "src/kernels/survey.hpp"
+#include "src/kernels/update.hpp"
 
 namespace hg {
 namespace {
 
+template <class V, class... Rules>
+constexpr KernelSet make_kernels(const char *name, RuleList<Rules...>) {
+  return {name,
+          {check_input<2>, check_input<3>},
+          {make_build<2>(), make_build<3>()},
+          {{make_search<V, 2, Rules>()...}, {make_search<V, 3, Rules>()...}},
+          {update<2>, update<3>},
+          {filter<V, Rules>...}};
+}
+
 template <class V>
 constexpr KernelSet make_kernels(const char *name) {
-  return {name,
-          {{make_search<V, 2, false>(), make_search<V, 2, true>()},
-           {make_search<V, 3, false>(), make_search<V, 3, true>()}},
-          {survey<2>, survey<3>},
-          {make_build<2>(), make_build<3>()},
-          {{follow<2>, follow<3>}, {filter<V, false>, filter<V, true>}}};
+  return make_kernels<V>(name, InteractionRules{});
 }
 
 }  // namespace

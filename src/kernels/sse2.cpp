@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/kernels/kernel_sets.hpp"
+#include "src/kernels/kernel_set.hpp"
 #include "src/kernels/lanes_sse2.hpp"
 #include "src/kernels/make_kernels.hpp"
 

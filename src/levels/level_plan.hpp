@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // How many levels, and how large their cells: Ogarko & Luding, Comput. Phys. Commun. 183 (2012) 931, section 3.2 and
-// Appendix A. Symbols are the paper's: L levels, cell edges s_h, N_h particles on level h, m_h particles per cell,
-// K the cost of visiting a cell in units of testing a particle.
+// Appendix A. Symbols are the paper's: L levels, cell edges s_h, N_h particles on level h, m_h particles per cell.
 #pragma once
 
 #include "src/exact/interaction.hpp"
-#include "src/levels/level_cost.hpp"
+#include "src/levels/cost_model.hpp"
 #include "src/levels/size_classes.hpp"
+#include "src/space/bounds.hpp"
 
 #include <hgrid/types.h>
 
@@ -28,22 +28,26 @@ struct LevelPlan {
   hg_level_cost costs[HG_MAX_LEVELS];
 };
 
-struct LevelRequest {
-  int dimension = 3;         // d
-  int level_count = 0;       // at most that many; 0 = the cheapest
-  double cell_overhead = 0;  // K
-  double edge = 0;           // S, with S^d the volume V that the particles fill
-  double precision = 0;      // relative, of m(L); 0 = to the last bit
-  Interaction interaction;
-  const LevelCost *work = nullptr;  // what levels cost, instead of Eq. 7
-  WorkPrices prices;                // with `work`
+// The volume V that the particles fill.
+struct FilledVolume {
+  int dimension = 3;  // d
+  double edge = 0;    // S, S^d = V
+
+  static FilledVolume of(const Bounds &bounds, int dimension);
 };
 
 // m_h = N_h s_h^d / V: the mean number of particles per cell (the paper's N_h / N_c^h, N_c^h a real number).
-double occupancy(int64_t particles, double cell_size, const LevelRequest &request);
+double occupancy(int64_t particles, double cell_size, const FilledVolume &volume);
 
-// The levels that make m_h equal (Eq. 6), as many as cost least: L (m + K) (Eq. 7), or what `work` says.
-LevelPlan plan_levels(const SizeClasses &classes, const LevelRequest &request);
+struct LevelRequest {
+  FilledVolume volume;
+  int level_count = 0;   // at most that many; 0 = the cheapest
+  double precision = 0;  // relative, of m(L); 0 = to the last bit
+  Interaction interaction;
+};
+
+// The levels that make m_h equal (Eq. 6), as many as cost least.
+LevelPlan plan_levels(const SizeClasses &classes, const LevelRequest &request, const CostModel &costs);
 
 // The levels of the caller, s_h = cell_sizes[h].
 LevelPlan user_levels(const double *cell_sizes, int count, const Interaction &interaction);

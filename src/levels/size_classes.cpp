@@ -2,27 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/levels/size_classes.hpp"
 
-#include "src/base/extremes.hpp"
+#include "src/base/ordered_bits.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace hg {
 namespace {
 
-// Doubles >= 0 order as their bits do.
-uint64_t ordered_bits(double value) {
-  value += 0.0;  // -0 becomes +0
-  uint64_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
-
-double from_bits(uint64_t bits) {
-  double value = 0;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
-}
+uint64_t ordered_bits(double radius) { return bits_of(radius + 0.0); }  // -0 becomes +0
 
 }  // namespace
 
@@ -39,13 +26,11 @@ void SizeClasses::sort_radii(const double *radii, size_t count) {
   }
 }
 
-void SizeClasses::bin_radii(const double *radii, size_t count) {
+void SizeClasses::bin_radii(const double *radii, size_t count, const Interval &extremes) {
   radius_.require(kBins);
   end_.require(kBins);
   count_ = 0;
   if (count == 0) return;
-  Extremes extremes;
-  column_extremes<1>(radii, count, &extremes);
   const uint64_t last = ordered_bits(extremes.greatest);
   int shift = 0;
   while ((last >> shift) - (ordered_bits(extremes.least) >> shift) >= kBins) shift++;

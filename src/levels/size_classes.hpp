@@ -3,6 +3,7 @@
 // The size distribution of the particles as the level rules see it: classes of radii in ascending order.
 #pragma once
 
+#include "src/base/interval.hpp"
 #include "src/base/memory.hpp"
 
 #include <cstddef>
@@ -16,8 +17,8 @@ class SizeClasses {
 
   // One class for each distinct radius. O(N log N).
   void sort_radii(const double *radii, size_t count);
-  // At most kBins classes of nearly equal radii, equal radii always together. O(N).
-  void bin_radii(const double *radii, size_t count);
+  // At most kBins classes of nearly equal radii, equal radii always together; `extremes`: of the radii. O(N).
+  void bin_radii(const double *radii, size_t count, const Interval &extremes);
 
   size_t count() const { return count_; }
   // No radius of the class is above this, none of the next class is at or below it.

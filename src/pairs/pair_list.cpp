@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstring>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace hg {
@@ -15,15 +16,14 @@ namespace {
 constexpr size_t kChunkPairs = 16384;
 static_assert(kChunkPairs >= kMaxPiece + kPadding, "a piece of candidates must fit into an empty chunk");
 
-// Appends to a buffer that grows.
-class ListSink : public PairSink {
+// A buffer that grows.
+class GrowingOutput : public PairOutput {
  public:
-  ListSink(Buffer<hg_pair> &pairs, size_t most) : PairSink{}, pairs_(pairs), most_(most) {
+  GrowingOutput(Buffer<hg_pair> &pairs, size_t most) : PairOutput{}, pairs_(pairs), most_(most) {
     pairs_.grow(kMaxPiece + kPadding);
     point_to(0);
-    make_room = [](PairSink *sink, size_t more) {
-      auto &self = *static_cast<ListSink *>(sink);
-      self.settle(sink);
+    make_room = [](PairOutput *output, size_t more) {
+      auto &self = *static_cast<GrowingOutput *>(output);
       const size_t used = self.count();
       if (used > self.most_) return false;
       self.pairs_.grow(used + more);
@@ -51,24 +51,23 @@ void to_ids(hg_pair *pairs, size_t count, const ParticleStore &store) {
   }
 }
 
-// A worker's, on cache lines of its own. Fills chunks and notes what lies where.
-struct alignas(128) PairWorkers::Sink : PairSink {
-  Sink(PairWorkers &all, Memory &memory) : PairSink{}, workers(all), pieces(memory) {}
+// On cache lines of its own. Fills chunks and notes what lies where.
+struct alignas(128) PairPool::Worker : PairOutput {
+  Worker(PairPool &all, Memory &memory) : PairOutput{}, pool(all), pieces(memory) {
+    make_room = [](PairOutput *output, size_t) { return static_cast<Worker *>(output)->change_chunk(); };
+  }
 
   void start(const PairSource &source, size_t most_pairs) {
-    static_cast<PairSink &>(*this) = PairSink{};
-    make_room = [](PairSink *sink, size_t) { return static_cast<Sink *>(sink)->change_chunk(); };
-    source.prepare(*this);
-    first = nullptr;
+    stream.emplace(source.judge(), this);
+    first = next = limit = nullptr;
     piece_count = pairs = 0;
     most = most_pairs;
   }
 
   bool change_chunk() {
-    if (first != nullptr) settle(this);
     end_piece();
     if (pairs > most) return false;
-    first = next = workers.take_chunk();
+    first = next = pool.take_chunk();
     limit = first + kChunkPairs;
     return true;
   }
@@ -77,7 +76,7 @@ struct alignas(128) PairWorkers::Sink : PairSink {
     task = new_task;
     task_pairs = 0;
     first = next;
-    source.run(task, *this);
+    source.send(task, *stream);
     end_piece();
   }
 
@@ -91,89 +90,90 @@ struct alignas(128) PairWorkers::Sink : PairSink {
     first = next;
   }
 
-  PairWorkers &workers;
+  PairPool &pool;
   Buffer<Piece> pieces;
+  std::optional<PairStream> stream;
   size_t piece_count = 0, pairs = 0, most = 0;
   size_t task = 0, task_pairs = 0;
   hg_pair *first = nullptr;  // of the piece that is being filled
 };
 
-PairWorkers::PairWorkers(Memory &memory, int threads) : memory_(&memory), threads_(threads), begin_(memory) {
+PairPool::PairPool(Memory &memory, int threads) : memory_(&memory), threads_(threads), begin_(memory) {
   if (threads == 1) return;
-  sinks_.reserve(static_cast<size_t>(threads));
-  for (int worker = 0; worker < threads; worker++) sinks_.emplace_back(*this, memory);
+  workers_.reserve(static_cast<size_t>(threads));
+  for (int worker = 0; worker < threads; worker++) workers_.emplace_back(*this, memory);
 }
 
-PairWorkers::~PairWorkers() = default;
+PairPool::~PairPool() = default;
 
-void PairWorkers::start(const PairSource &source, size_t most) {
+void PairPool::start(const PairSource &source, size_t most) {
   taken_ = 0;
-  for (Sink &sink : sinks_) {
-    sink.start(source, most);
-    sink.pieces.grow(source.task_count() + chunks_.size() + 1);  // all tasks, cut where chunks end
+  for (Worker &worker : workers_) {
+    worker.start(source, most);
+    worker.pieces.grow(source.task_count() + chunks_.size() + 1);  // all tasks, cut where chunks end
   }
 }
 
-hg_pair *PairWorkers::take_chunk() {
+hg_pair *PairPool::take_chunk() {
   const std::lock_guard lock(mutex_);
   if (taken_ == chunks_.size()) add_chunk();
   return chunks_[taken_++].data();
 }
 
-void PairWorkers::add_chunk() {
+void PairPool::add_chunk() {
   Buffer<hg_pair> chunk(*memory_);
   chunk.require(kChunkPairs);
   chunks_.push_back(std::move(chunk));
 }
 
-void PairWorkers::provide(size_t pairs) {
-  const auto most = [&](size_t count) { return count / (kChunkPairs - kMaxPiece - kPadding) + sinks_.size(); };
+void PairPool::provide(size_t pairs) {
+  const auto most = [&](size_t count) { return count / (kChunkPairs - kMaxPiece - kPadding) + workers_.size(); };
   if (chunks_.size() >= most(pairs)) return;
   while (chunks_.size() < most(pairs + pairs / 8)) add_chunk();
 }
 
-SearchCounts PairList::gather(const PairSource &source, PairWorkers &workers, size_t particles, size_t most) {
-  const bool together = workers.threads_ > 1 && particles >= kWorthThreads;
-  return together ? gather_together(source, workers, most) : gather_alone(source, particles, most);
+SearchCounts PairList::gather(const PairSource &source, PairPool &pool, size_t particles, size_t most) {
+  const bool together = pool.threads_ > 1 && particles >= kWorthThreads;
+  return together ? gather_together(source, pool, most) : gather_alone(source, particles, most);
 }
 
 SearchCounts PairList::gather_alone(const PairSource &source, size_t particles, size_t most) {
   pairs_.grow(particles);
-  ListSink sink(pairs_, most);
-  source.prepare(sink);
+  GrowingOutput output(pairs_, most);
+  PairStream stream(source.judge(), &output);
   bool go_on = true;
-  for (size_t task = 0; go_on && task < source.task_count(); task++) go_on = source.run(task, sink);
-  count_ = sink.count();
+  for (size_t task = 0; go_on && task < source.task_count(); task++) go_on = source.send(task, stream);
+  count_ = output.count();
   SearchCounts counts;
-  counts.add(sink);
+  counts.add(stream);
   return counts;
 }
 
-SearchCounts PairList::gather_together(const PairSource &source, PairWorkers &workers, size_t most) {
+SearchCounts PairList::gather_together(const PairSource &source, PairPool &pool, size_t most) {
   const size_t tasks = source.task_count();
-  workers.start(source, most);
-  parallel_for(workers.threads_, tasks,
-               [&](size_t task, int worker) { workers.sinks_[static_cast<size_t>(worker)].run(source, task); });
+  pool.start(source, most);
+  parallel_for(pool.threads_, tasks,
+               [&](size_t task, int worker) { pool.workers_[static_cast<size_t>(worker)].run(source, task); });
 
-  workers.begin_.require_room(tasks + 1);
-  size_t *begin = workers.begin_.data();
+  pool.begin_.require_room(tasks + 1);
+  size_t *begin = pool.begin_.data();
   std::fill(begin, begin + tasks + 1, size_t{0});
-  for (const PairWorkers::Sink &sink : workers.sinks_) {
-    for (size_t p = 0; p < sink.piece_count; p++) begin[sink.pieces[p].task + 1] += sink.pieces[p].count;
+  for (const PairPool::Worker &worker : pool.workers_) {
+    for (size_t p = 0; p < worker.piece_count; p++) begin[worker.pieces[p].task + 1] += worker.pieces[p].count;
   }
   std::partial_sum(begin, begin + tasks + 1, begin);
   count_ = begin[tasks];
-  workers.provide(count_);
+  pool.provide(count_);
   pairs_.require_room(std::max<size_t>(1, count_));
-  parallel_for(workers.threads_, workers.sinks_.size(), [&](size_t worker, int) {
-    const PairWorkers::Sink &sink = workers.sinks_[worker];
-    for (size_t p = 0; p < sink.piece_count; p++) {
-      const PairWorkers::Piece &piece = sink.pieces[p];
+  parallel_for(pool.threads_, pool.workers_.size(), [&](size_t n, int) {
+    const PairPool::Worker &worker = pool.workers_[n];
+    for (size_t p = 0; p < worker.piece_count; p++) {
+      const PairPool::Piece &piece = worker.pieces[p];
       std::memcpy(pairs_.data() + begin[piece.task] + piece.offset, piece.pairs, piece.count * sizeof(hg_pair));
     }
   });
   SearchCounts counts;
-  for (const PairWorkers::Sink &sink : workers.sinks_) counts.add(sink);
+  for (const PairPool::Worker &worker : pool.workers_) counts.add(*worker.stream);
   return counts;
 }
 

@@ -16,27 +16,17 @@
 
 namespace hg {
 
-// What a search did, for hg_grid_stats.
-struct SearchCounts {
-  int64_t candidates = 0, undecided = 0, exact = 0;
-  void add(const PairSink &sink) {
-    candidates += sink.candidate_count;
-    undecided += sink.undecided_count;
-    exact += sink.exact_count;
-  }
-};
-
 // Replaces slots by ids where ids have gaps.
 void to_ids(hg_pair *pairs, size_t count, const ParticleStore &store);
 
 // What threads need to gather pairs, kept between calls. Several lists may take turns with it. Memory comes in chunks
 // that whoever finds pairs takes next, so its size does not depend on who finds them.
-class PairWorkers {
+class PairPool {
  public:
-  PairWorkers(Memory &memory, int threads);
-  ~PairWorkers();
-  PairWorkers(const PairWorkers &) = delete;
-  PairWorkers &operator=(const PairWorkers &) = delete;
+  PairPool(Memory &memory, int threads);
+  ~PairPool();
+  PairPool(const PairPool &) = delete;
+  PairPool &operator=(const PairPool &) = delete;
 
  private:
   friend class PairList;
@@ -47,7 +37,7 @@ class PairWorkers {
     size_t count;
     const hg_pair *pairs;
   };
-  struct Sink;
+  struct Worker;
 
   // Forgets all pieces.
   void start(const PairSource &source, size_t most);
@@ -62,8 +52,8 @@ class PairWorkers {
   std::mutex mutex_;
   std::vector<Buffer<hg_pair>> chunks_;
   size_t taken_ = 0;
-  std::vector<Sink> sinks_;  // of each worker
-  Buffer<size_t> begin_;     // of each task in the list
+  std::vector<Worker> workers_;
+  Buffer<size_t> begin_;  // of each task in the list
 };
 
 class PairList {
@@ -72,7 +62,7 @@ class PairList {
 
   // The same bytes for any number of threads. Gathering may stop early once there are more than `most` pairs; what it
   // has then is of no use.
-  SearchCounts gather(const PairSource &source, PairWorkers &workers, size_t particles, size_t most = SIZE_MAX);
+  SearchCounts gather(const PairSource &source, PairPool &pool, size_t particles, size_t most = SIZE_MAX);
 
   hg_pair *data() { return pairs_.data(); }
   const hg_pair *data() const { return pairs_.data(); }
@@ -80,7 +70,7 @@ class PairList {
 
  private:
   SearchCounts gather_alone(const PairSource &source, size_t particles, size_t most);
-  SearchCounts gather_together(const PairSource &source, PairWorkers &workers, size_t most);
+  SearchCounts gather_together(const PairSource &source, PairPool &pool, size_t most);
 
   Buffer<hg_pair> pairs_;
   size_t count_ = 0;

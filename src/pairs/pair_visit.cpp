@@ -9,17 +9,15 @@ namespace {
 
 static_assert(kVisitBatch >= kMaxPiece + kPadding, "a piece of candidates must fit into an empty batch");
 
-class VisitSink : public PairSink {
+// A batch that is handed over when it is full.
+class BatchOutput : public PairOutput {
  public:
-  VisitSink(Buffer<hg_pair> &batch, const ParticleStore &particles, hg_pair_visitor *visit, void *context)
-      : PairSink{}, batch_(batch), particles_(particles), visit_(visit), context_(context) {
+  BatchOutput(Buffer<hg_pair> &batch, const ParticleStore &particles, hg_pair_visitor *visit, void *context)
+      : PairOutput{}, batch_(batch), particles_(particles), visit_(visit), context_(context) {
     batch_.require(kVisitBatch);
     next = batch_.data();
     limit = batch_.data() + kVisitBatch;
-    make_room = [](PairSink *sink, size_t) {
-      sink->settle(sink);
-      return static_cast<VisitSink *>(sink)->flush();
-    };
+    make_room = [](PairOutput *output, size_t) { return static_cast<BatchOutput *>(output)->flush(); };
   }
 
   // Hands over what has gathered. False once the visitor has had enough.
@@ -48,14 +46,14 @@ class VisitSink : public PairSink {
 VisitResult visit_source(const PairSource &source, const ParticleStore &store, Memory &memory, hg_pair_visitor *visit,
                          void *context) {
   Buffer<hg_pair> batch(memory);
-  VisitSink sink(batch, store, visit, context);
-  source.prepare(sink);
+  BatchOutput output(batch, store, visit, context);
+  PairStream stream(source.judge(), &output);
   bool go_on = true;
-  for (size_t task = 0; go_on && task < source.task_count(); task++) go_on = source.run(task, sink);
-  if (go_on) sink.flush();
+  for (size_t task = 0; go_on && task < source.task_count(); task++) go_on = source.send(task, stream);
+  if (go_on) output.flush();
   VisitResult result;
-  result.counts.add(sink);
-  result.pairs = sink.visited();
+  result.counts.add(stream);
+  result.pairs = output.visited();
   return result;
 }
 

@@ -5,10 +5,8 @@
 #pragma once
 
 #include "src/base/memory.hpp"
-#include "src/exact/domain.hpp"
-#include "src/exact/interaction.hpp"
 #include "src/exact/overlap.hpp"
-#include "src/kernels/kernel.hpp"
+#include "src/particles/input_check.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,9 +15,7 @@ namespace hg {
 
 class ParticleStore {
  public:
-  // `largest_diameter`: what the coarsest user-given cell can hold; infinite if cells follow the particles.
-  ParticleStore(Memory &memory, const Domain &domain, const Interaction &interaction, int32_t index_base,
-                double largest_diameter, int threads = 1);
+  ParticleStore(Memory &memory, const InputCheck &check, int dimension, int32_t index_base);
 
   // Throws and changes nothing if a value is bad.
   void insert(size_t count, const double *centers, const double *radii);
@@ -35,8 +31,8 @@ class ParticleStore {
   double radius(size_t slot) const { return radii_[slot]; }
   const double *centers() const { return centers_.data(); }
   const double *radii() const { return radii_.data(); }
-  // Extremes of all that is stored, after compact(). Defined while slots() > 0.
-  const Survey &survey() const { return survey_; }
+  // Of all that is stored, after compact(). Defined while slots() > 0.
+  const InputSummary &summary() const { return summary_; }
   Ball ball(size_t slot) const { return {center(slot), radius(slot)}; }
 
   // While ids have no gaps, id = slot + id_offset(); else id_offset() is 0 and id() has to be asked.
@@ -47,21 +43,11 @@ class ParticleStore {
   size_t find(int64_t id) const;
 
  private:
-  Survey look_at(const SurveyInput &input) const;
-  // Throws if something is wrong with the arrays that `found` is about.
-  void check(const SurveyInput &input, const Survey &found) const;
-  void check_wraps(const SurveyInput &input, const Survey &found) const;
-  void check_box(size_t index, double radius) const;
-  [[noreturn]] void report(size_t count, const double *centers, const double *radii) const;
-
-  Domain domain_;
-  Interaction interaction_;
+  InputCheck check_;
   size_t dimension_;
   int32_t index_base_;
-  double largest_diameter_;
-  int threads_;
   int64_t next_id_;
-  Survey survey_{};
+  InputSummary summary_{};
   size_t slots_ = 0;
   size_t removed_ = 0;
   bool contiguous_ = true;

@@ -1,46 +1,35 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds all pairs of a built index: each level with itself, and each level with all finer ones. Every pair is met once.
+// The contact detection phase (the paper's section 2.2): all pairs of a built index. Each level is searched with
+// itself, and from each particle each finer level. Every pair is met once.
 #pragma once
 
 #include "src/exact/overlap.hpp"
 #include "src/index/index.hpp"
-#include "src/kernels/kernel.hpp"
+#include "src/kernels/kernel_set.hpp"
 #include "src/pairs/pair_source.hpp"
 #include "src/particles/particle_store.hpp"
+#include "src/search/search_tasks.hpp"
 
 namespace hg {
 
-// The pairs that interact. A sink gets slots, plus the id of slot 0 if ids have no gaps. The index may have been made
-// for a wider reach than that of `overlap`; then every candidate is decided on the caller's doubles, which is slow.
-class PairSearch final : public PairSource {
+// The pairs that interact, as slots, plus the id of slot 0 if ids have no gaps. The index may have been made for a
+// wider reach than that of `overlap`; then every candidate is decided on the caller's doubles, which is slow.
+class PairSearch : public PairSource {
  public:
-  PairSearch(const Index &index, const ParticleStore &store, const Overlap &overlap)
-      : index_(index), store_(store), overlap_(overlap) {}
-  size_t task_count() const override { return index_.task_count; }
-  void prepare(PairSink &sink) const override;
-  bool run(size_t task, PairSink &sink) const override;
+  PairSearch(const Index &index, const SearchTasks &tasks, const ParticleStore &store, const Overlap &overlap)
+      : index_(index), tasks_(tasks), store_(store), overlap_(overlap) {}
+  size_t task_count() const override { return tasks_.count(); }
+  PairJudge judge() const override;
+  bool send(size_t task, PairStream &stream) const override;
 
- private:
+ protected:
+  // Of `particles` and `images`, which name the pairs by their slots, or by whatever stands in place of them.
+  bool send(size_t task, const PointArrays &particles, const PointArrays &images, PairStream &stream) const;
+
   const Index &index_;
+  const SearchTasks &tasks_;
   const ParticleStore &store_;
-  const Overlap &overlap_;
-};
-
-// All pairs nearer than the reach that the index was made for, and some about as near. A sink gets names instead of
-// slots: `names` holds those of the index's particles, in their order, then those of its images.
-class CandidateSearch final : public PairSource {
- public:
-  CandidateSearch(const Index &index, const ParticleStore &store, const uint32_t *names)
-      : index_(index), store_(store), names_(names), overlap_(index.interaction, HG_FLOAT, index.domain) {}
-  size_t task_count() const override { return index_.task_count; }
-  void prepare(PairSink &sink) const override;
-  bool run(size_t task, PairSink &sink) const override;
-
- private:
-  const Index &index_;
-  const ParticleStore &store_;
-  const uint32_t *names_;
   Overlap overlap_;
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/search/search_tasks.hpp"
 
+#include "src/kernels/kernel_set.hpp"
+
 #include <algorithm>
 
 namespace hg {
@@ -14,36 +16,36 @@ double rows_visited(const IndexLevel &level, const IndexLevel &target, int dimen
   if (target.sparse) return 9;
   const double reach = static_cast<double>(level.cells.largest_radius) + target.cells.largest_radius;
   double rows = 1;
-  for (int k = 1; k < dimension; k++) {
-    rows *= std::min(2 * reach / static_cast<double>(target.cells.width[k]) + 1.0,
-                     static_cast<double>(target.cells.count[k]));
+  for (int axis = 1; axis < dimension; axis++) {
+    rows *= std::min(2 * reach / static_cast<double>(target.cells.width[axis]) + 1.0,
+                     static_cast<double>(target.cells.count[axis]));
   }
   return rows;
 }
 
-void add(Index &index, int level, int target, bool images, uint32_t begin, uint32_t end) {
+}  // namespace
+
+void SearchTasks::add(const Index &index, int level, int target, bool images, uint32_t begin, uint32_t end) {
   const double rows = rows_visited(index.levels[level], index.levels[target], index.domain.dimension);
   const double wanted = std::clamp(kTaskRows / rows, 1.0, kTaskRows);
   const uint32_t step = (static_cast<uint32_t>(wanted) + kBlock - 1) / kBlock * kBlock;
   while (begin < end) {
     const uint32_t stop = end - begin > step ? begin + step : end;
-    index.tasks.grow(index.task_count + 1);
-    index.tasks[index.task_count++] = {level, target, images, begin, stop};
+    tasks_.grow(count_ + 1);
+    tasks_[count_++] = {level, target, images, begin, stop};
     begin = stop;
   }
 }
 
-}  // namespace
-
-void list_tasks(Index &index) {
-  index.task_count = 0;
+void SearchTasks::list(const Index &index) {
+  count_ = 0;
   // Coarse levels first: their tasks are the longest.
   for (int h = index.level_count - 1; h >= 0; h--) {
     const IndexLevel &level = index.levels[h];
-    for (int k = h; k >= 0; k--) {
-      if (index.levels[k].begin == index.levels[k].end) continue;
-      add(index, h, k, false, level.begin, level.end);
-      add(index, h, k, true, level.image_begin, k == h ? level.image_forward_end : level.image_end);
+    for (int target = h; target >= 0; target--) {
+      if (index.levels[target].is_empty()) continue;
+      add(index, h, target, false, level.begin, level.end);
+      add(index, h, target, true, level.image_begin, target == h ? level.image_forward_end : level.image_end);
     }
   }
 }

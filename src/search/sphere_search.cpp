@@ -2,80 +2,95 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/search/sphere_search.hpp"
 
-#include "src/space/level_cells.hpp"
-#include "src/space/window.hpp"
+#include "src/base/error.hpp"
+#include "src/base/ordered_bits.hpp"
+#include "src/kernels/lanes_scalar.hpp"
+#include "src/space/search_box.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hg {
 namespace {
 
+void check_sphere(const Domain &domain, const Ball &sphere) {
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    const double x = sphere.center[axis];
+    if (!std::isfinite(x)) fail(HG_ERR_ARGUMENT, "center[%d] = %g is not finite", axis, x);
+    if (!(std::fabs(domain.wraps(axis, x)) <= kMaxWraps)) {
+      fail(HG_ERR_ARGUMENT, "center[%d] = %g: more than 2^20 box lengths outside the periodic box", axis, x);
+    }
+  }
+  if (!std::isfinite(sphere.radius) || is_negative(sphere.radius)) {
+    fail(HG_ERR_ARGUMENT, "radius = %g is not finite and >= 0", sphere.radius);
+  }
+}
+
 class SphereSearch {
  public:
-  SphereSearch(const Index &index, const ParticleStore &store, const Overlap &overlap,
-               const StoredCandidates &candidates, const Ball &sphere, Buffer<int32_t> &found)
-      : index_(index), store_(store), overlap_(overlap), candidates_(candidates), sphere_(sphere), found_(found) {}
+  SphereSearch(const BuiltGrid &grid, const Ball &sphere, Buffer<int32_t> &ids)
+      : grid_(grid), index_(grid.index), sphere_(sphere), ids_(ids) {}
 
   size_t run() {
     for (int h = 0; h < index_.level_count; h++) {
       const IndexLevel &level = index_.levels[h];
-      if (level.begin == level.end) continue;
-      for (Image image = 0; image < 27; image++) {
+      if (level.is_empty()) continue;
+      for (Image image = 0; image < kImages; image++) {
         if (is_possible(image)) search(level, image);
       }
     }
+    std::sort(ids_.data(), ids_.data() + count_);
     // A sphere wider than half the box can meet a particle through several images.
     if (index_.domain.any_periodic) {
-      std::sort(found_.data(), found_.data() + count_);
-      count_ = static_cast<size_t>(std::unique(found_.data(), found_.data() + count_) - found_.data());
+      count_ = static_cast<size_t>(std::unique(ids_.data(), ids_.data() + count_) - ids_.data());
     }
     return count_;
   }
 
  private:
   bool is_possible(Image image) const {
-    for (int k = 0; k < 3; k++) {
-      if (image_step(image, k) != 0 && !index_.domain.periodic[k]) return false;
+    for (int axis = 0; axis < 3; axis++) {
+      if (image_step(image, axis) != 0 && !index_.domain.periodic[axis]) return false;
     }
     return true;
   }
 
   void search(const IndexLevel &level, Image image) {
     const double reach = index_.interaction.reach(sphere_.radius, level.largest_radius);
-    const Window window = Window::around(index_.domain, sphere_.center, image, reach);
-    if (window.misses_box(index_.domain)) return;
+    const SearchBox box = SearchBox::around(index_.domain, sphere_.center, image, reach);
+    if (box.misses(index_.domain)) return;
     if (level.sparse) {
-      index_.sparse.visit_box(level.rows, index_.domain.dimension, window.low, window.high,
+      index_.sparse.visit_box(level.rows, index_.domain.dimension, box.low, box.high,
                               [&](uint32_t begin, uint32_t end) {
                                 test(begin, end, image);
                                 return true;
                               });
     } else {
-      search_cells(level, window, image);
+      search_cells(level.cells, box, image);
     }
   }
 
-  void search_cells(const IndexLevel &level, const Window &window, Image image) {
+  // Eqs. 4 and 5, row by row.
+  void search_cells(const CellTable &cells, const SearchBox &box, Image image) {
     int32_t first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
-    for (int k = 0; k < index_.domain.dimension; k++) {
-      first[k] = outer_cell(level.cells, k, window.low[k], -1.0);
-      last[k] = outer_cell(level.cells, k, window.high[k], 1.0);
+    for (int axis = 0; axis < index_.domain.dimension; axis++) {
+      first[axis] = outer_cell(cells, axis, box.low[axis], -1.0);
+      last[axis] = outer_cell(cells, axis, box.high[axis], 1.0);
     }
     for (int32_t z = first[2]; z <= last[2]; z++) {
       for (int32_t y = first[1]; y <= last[1]; y++) {
-        const uint32_t *cell =
-            level.cells.cell_begin +
-            (static_cast<size_t>(z) * static_cast<size_t>(level.cells.count[1]) + static_cast<size_t>(y)) *
-                static_cast<size_t>(level.cells.count[0]);
+        const size_t row = static_cast<size_t>(z) * static_cast<size_t>(cells.count[1]) + static_cast<size_t>(y);
+        const uint32_t *cell = cells.cell_begin + row * static_cast<size_t>(cells.count[0]);
         test(cell[first[0]], cell[last[0] + 1], image);
       }
     }
   }
 
-  // The cell of a window's end, which may lie far outside; `side` says which way it may move.
+  // The cell of an end of the box, which may lie far outside; `side` says which way it may move.
   int32_t outer_cell(const CellTable &cells, int axis, double x, double side) const {
-    const double quanta = index_.frame.quanta(axis, x) + side * static_cast<double>(kWindowSlack);
-    return cell_of(cells, axis, static_cast<float>(std::clamp(quanta, -1.0, kFrameQuanta)));
+    const double quanta = index_.map.quanta(axis, x) + side * static_cast<double>(kSearchSlack);
+    const auto within = static_cast<float>(std::clamp(quanta, -1.0, kFixedPointQuanta));
+    return cell_of<ScalarLanes>(within, cells.inverse_width[axis], last_of(cells, axis));
   }
 
   void test(uint32_t begin, uint32_t end, Image image) {
@@ -83,27 +98,25 @@ class SphereSearch {
     for (uint32_t j = begin; j < end; j++) {
       const uint32_t slot = index_.particles.slot[j];
       Image seen = image;
-      if (candidates_.moved() && !candidates_.see(j, seen, store_)) continue;
-      if (!overlap_.test(sphere_, store_.ball(slot), seen, exact)) continue;
-      found_.grow(count_ + 1);
-      found_[count_++] = static_cast<int32_t>(slot);
+      if (grid_.candidates.moved() && !grid_.candidates.see(j, seen, grid_.store)) continue;
+      if (!grid_.overlap.holds(sphere_, grid_.store.ball(slot), seen, exact)) continue;
+      ids_.grow(count_ + 1);
+      ids_[count_++] = grid_.store.id(slot);
     }
   }
 
+  const BuiltGrid &grid_;
   const Index &index_;
-  const ParticleStore &store_;
-  const Overlap &overlap_;
-  const StoredCandidates &candidates_;
   const Ball &sphere_;
-  Buffer<int32_t> &found_;
+  Buffer<int32_t> &ids_;
   size_t count_ = 0;
 };
 
 }  // namespace
 
-size_t search_sphere(const Index &index, const ParticleStore &store, const Overlap &overlap,
-                     const StoredCandidates &candidates, const Ball &sphere, Buffer<int32_t> &found) {
-  return SphereSearch(index, store, overlap, candidates, sphere, found).run();
+size_t query_sphere(const BuiltGrid &grid, const Ball &sphere, Buffer<int32_t> &ids) {
+  check_sphere(grid.index.domain, sphere);
+  return SphereSearch(grid, sphere, ids).run();
 }
 
 }  // namespace hg

@@ -1,20 +1,14 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds the particles that one sphere, not necessarily a particle, interacts with.
+// hg_query_sphere: the particles that one sphere, not necessarily a particle, interacts with.
 #pragma once
 
-#include "src/exact/overlap.hpp"
-#include "src/index/index.hpp"
-#include "src/particles/particle_store.hpp"
-#include "src/search/stored_candidates.hpp"
-
-#include <cstdint>
+#include "src/search/built_grid.hpp"
 
 namespace hg {
 
-// Writes the slots of the particles met, each once, in no order, into `found` and returns their number. The index may
-// be that of `candidates` which have moved since.
-size_t search_sphere(const Index &index, const ParticleStore &store, const Overlap &overlap,
-                     const StoredCandidates &candidates, const Ball &sphere, Buffer<int32_t> &found);
+// Writes the ids of the particles met, ascending, into `ids` and returns their number. Throws an Error that names what
+// is wrong with the sphere.
+size_t query_sphere(const BuiltGrid &grid, const Ball &sphere, Buffer<int32_t> &ids);
 
 }  // namespace hg

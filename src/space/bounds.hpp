@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The extents of what is stored.
+// The extents of a set of particles.
 #pragma once
-
-#include "src/exact/domain.hpp"
-#include "src/particles/particle_store.hpp"
 
 namespace hg {
 
@@ -14,8 +11,5 @@ struct Bounds {
   double width[3] = {0, 0, 0};  // of the space that the particles themselves take; of the box where one is given
   double max_radius = 0;
 };
-
-// The same whatever the number of threads.
-Bounds bounds_of(const ParticleStore &store, const Domain &domain, int threads);
 
 }  // namespace hg

@@ -11,8 +11,8 @@ namespace {
 constexpr double kMaxCellsPerAxis = 262144;  // 2^18, so that a cell is never below 4096 quanta
 constexpr double kLeastCell = 4096.0;        // quanta
 
-// Rows must be as wide as the window of a search on their own level, so that only next neighbours are visited.
-double least_row_width(double cell_size) { return (cell_size + 2.0 * kWindowSlack) * (1.0 + 0x1p-16); }
+// Rows must be as wide as a search on their own level reaches, so that only next neighbours are visited.
+double least_row_width(double cell_size) { return (cell_size + 2.0 * kSearchSlack) * (1.0 + 0x1p-16); }
 
 // Kernels number cells with 32 bits.
 constexpr double kMaxCells = 2147483647.0;
@@ -23,13 +23,13 @@ double count_along(double extent, double width) {
 
 double total(const double *extent, const double *width, int dimension) {
   double cells = 1;
-  for (int k = 0; k < dimension; k++) cells *= count_along(extent[k], width[k]);
+  for (int axis = 0; axis < dimension; axis++) cells *= count_along(extent[axis], width[axis]);
   return cells;
 }
 
 }  // namespace
 
-LevelCells lay_cells(const Frame &frame, int dimension, double cell_size, size_t particles) {
+LevelCells lay_cells(const FixedPoint &map, int dimension, double cell_size, size_t particles) {
   double width[3];
   width[0] = std::max(kCellLength * cell_size, kLeastCell);
   width[1] = width[2] = std::max(kRowWidth * cell_size, least_row_width(cell_size));
@@ -37,22 +37,21 @@ LevelCells lay_cells(const Frame &frame, int dimension, double cell_size, size_t
   LevelCells level;
   level.widened = kCellLength * cell_size < kLeastCell;
   const double most = std::min(kCellsPerParticle * static_cast<double>(particles) + kFewCells, kMaxCells);
-  const double wanted = total(frame.extent, width, dimension);
+  const double wanted = total(map.extent, width, dimension);
   level.widened = level.widened || wanted > most;
   if (wanted > most) width[0] *= std::min(wanted / most, kMostStretch);
-  for (double cells = total(frame.extent, width, dimension); cells > most;
-       cells = total(frame.extent, width, dimension)) {
+  for (double cells = total(map.extent, width, dimension); cells > most; cells = total(map.extent, width, dimension)) {
     const double grow = std::max(std::pow(cells / most, 1.0 / dimension), 1.01);
     for (double &w : width) w *= grow;
   }
-  for (int k = 0; k < 3; k++) {
-    const double extent = k < dimension ? frame.extent[k] : 0;
-    const double count = k < dimension ? count_along(extent, width[k]) : 1;
-    level.table.count[k] = static_cast<int32_t>(count);
-    level.table.width[k] = static_cast<float>(std::max(extent / count, width[k]));
-    level.table.inverse_width[k] = 1.0f / level.table.width[k];
+  for (int axis = 0; axis < 3; axis++) {
+    const double extent = axis < dimension ? map.extent[axis] : 0;
+    const double count = axis < dimension ? count_along(extent, width[axis]) : 1;
+    level.table.count[axis] = static_cast<int32_t>(count);
+    level.table.width[axis] = static_cast<float>(std::max(extent / count, width[axis]));
+    level.table.inverse_width[axis] = 1.0f / level.table.width[axis];
     level.cells *= static_cast<size_t>(count);
-    if (k > 0) level.rows *= static_cast<size_t>(count);
+    if (axis > 0) level.rows *= static_cast<size_t>(count);
   }
   return level;
 }

@@ -3,17 +3,15 @@
 // How the cells of a level are laid over space: rows along x, wide in y and z, finely divided in x.
 #pragma once
 
-#include "src/kernels/kernel.hpp"
-#include "src/space/frame.hpp"
+#include "src/space/cell_table.hpp"
+#include "src/space/fixed_point.hpp"
 
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 
 namespace hg {
 
 // Row width and cell length in units of s_h. Wide rows make few ranges of candidates; short cells cut each range to the
-// chord of the search sphere. Measured best for the scalar kernel, see docs/decisions/0004-rows-and-cells.md.
+// chord of the search sphere. Measured best for AVX2 and AVX-512: docs/evidence/performance.md.
 inline constexpr double kRowWidth = 2;
 inline constexpr double kCellLength = 0.5;
 
@@ -25,15 +23,6 @@ inline constexpr double kMostStretch = 8;
 inline constexpr double kCellsPerParticle = 4;
 inline constexpr double kFewCells = 64;
 
-// Others in a particle's own cell beyond which a widened table does not pay, and the level keeps sparse rows instead.
-inline constexpr double kMaxCrowding = 40;
-
-// The map from coordinates to cells, as in the kernels, which have copies of their own (kernels/search.hpp, keys.hpp).
-inline int32_t cell_of(const CellTable &cells, int axis, float x) {
-  const float last = static_cast<float>(cells.count[axis]) - 0.5f;
-  return static_cast<int32_t>(std::min(std::max(x * cells.inverse_width[axis], 0.0f), last));
-}
-
 struct LevelCells {
   CellTable table{};
   size_t rows = 1;
@@ -42,6 +31,6 @@ struct LevelCells {
 };
 
 // `cell_size`: s_h in quanta; `particles`: N_h > 0.
-LevelCells lay_cells(const Frame &frame, int dimension, double cell_size, size_t particles);
+LevelCells lay_cells(const FixedPoint &map, int dimension, double cell_size, size_t particles);
 
 }  // namespace hg

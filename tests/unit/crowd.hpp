@@ -4,8 +4,11 @@
 #pragma once
 
 #include "src/exact/overlap.hpp"
-#include "src/index/index.hpp"
+#include "src/index/build_index.hpp"
+#include "src/particles/bounds.hpp"
+#include "src/search/search_tasks.hpp"
 #include "tests/support/rng.hpp"
+#include "tests/unit/stores.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +29,10 @@ class Crowd {
  public:
   Crowd(uint64_t seed, hg::Memory &memory, const CrowdShape &shape)
       : domain_(domain_of(shape)),
-        index(memory),
+        index(memory, domain_, interaction_),
+        tasks(memory),
         scratch_(memory),
-        store(memory, domain_, interaction_, 0, std::numeric_limits<double>::infinity()),
+        store(make_store(memory, domain_, interaction_)),
         overlap(interaction_, HG_EXACT, domain_) {
     Rng rng(seed);
     std::vector<double> centers, radii;
@@ -40,8 +44,6 @@ class Crowd {
     }
     if (shape.outlier && shape.count > 0) centers[0] = 1e9;
     store.insert(shape.count, centers.data(), radii.data());
-    index.domain = domain_;
-    index.interaction = interaction_;
     build(shape.threads);
   }
 
@@ -49,7 +51,9 @@ class Crowd {
     const hg::Bounds bounds = hg::bounds_of(store, domain_, threads);
     const double finest = 2 * bounds.max_radius / 8;
     const double sizes[4] = {finest, 2 * finest, 4 * finest, 8 * finest};
-    hg::build_index(index, scratch_, store, bounds, hg::user_levels(sizes, 4, interaction_), threads);
+    if (store.slots() > 0) index.map = hg::FixedPoint::over(bounds, domain_, 2 * bounds.max_radius);
+    hg::build_index(index, scratch_, store, hg::user_levels(sizes, 4, interaction_), threads);
+    tasks.list(index);
   }
 
  private:
@@ -69,6 +73,7 @@ class Crowd {
 
  public:
   hg::Index index;
+  hg::SearchTasks tasks;
 
  private:
   hg::BuildScratch scratch_;

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The extents of what is stored, and the folds over many numbers that find them.
-#include "src/base/extremes.hpp"
+#include "src/base/reductions.hpp"
 #include "src/space/bounds.hpp"
 #include "tests/unit/checks.hpp"
+#include "tests/unit/stores.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +19,7 @@ template <size_t Columns>
 void check_columns(Rng &rng) {
   std::vector<double> values(Columns * (1 + rng.below(100)));
   for (double &v : values) v = rng.uniform(-1, 1) * std::pow(10, rng.integer(-300, 300));
-  hg::Extremes found[Columns];
+  hg::Interval found[Columns];
   hg::column_extremes<Columns>(values.data(), values.size() / Columns, found);
   for (size_t k = 0; k < Columns; k++) {
     double least = values[k], greatest = values[k];
@@ -63,7 +64,7 @@ void check_bounds(uint64_t) {
   domain.box_min[1] = -5;
   domain.box_max[1] = 5;
   domain.length[1] = 10;
-  hg::ParticleStore store(memory, domain, hg::Interaction{}, 0, HUGE_VAL);
+  hg::ParticleStore store = make_store(memory, domain, hg::Interaction{}, 0, HUGE_VAL);
   const double x[15] = {1, 1, 1, 2, 2, -9, 3, 3, 3, 4, 4, 7, -8, 5, 5}, r[5] = {0.5, 1, 2, 0, 1.5};
   store.insert(5, x, r);
   const hg::Bounds bounds = hg::bounds_of(store, domain, 1);
@@ -81,7 +82,7 @@ void check_threads(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   Domain domain;
-  hg::ParticleStore store(memory, domain, hg::Interaction{}, 0, HUGE_VAL);
+  hg::ParticleStore store = make_store(memory, domain, hg::Interaction{}, 0, HUGE_VAL);
   const size_t count = rng.chance(0.2) ? rng.below(3) : 100000 + rng.below(1000);
   std::vector<double> centers(3 * count), radii(count);
   for (double &x : centers) x = rng.uniform(-1, 1);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The search kernels against brute force on integers, where floats are weakest: at the far end of the frame, in the
 // smallest cells. Every instruction set that this machine runs must give the pairs of the scalar one, in its order.
-#include "src/kernels/kernel_sets.hpp"
+#include "src/kernels/kernel_set.hpp"
 #include "src/space/level_cells.hpp"
 #include "tests/unit/checks.hpp"
 
@@ -308,7 +308,7 @@ class Scene {
   Rng rng_;
   int dimension_;
   bool max_range_;
-  hg::Frame frame_;
+  hg::FixedPoint frame_;
   double reach_ = 0;
   CellTable table_{};
   std::vector<uint32_t> cell_begin_;

@@ -10,7 +10,7 @@
 namespace {
 
 using namespace hgtest;
-using hg::Frame;
+using hg::FixedPoint;
 using hg::LevelCells;
 
 struct Layout {
@@ -36,7 +36,7 @@ void require_layout(const Layout &in) {
             "inverse of width %g is %g", width, static_cast<double>(table.inverse_width[k]));
     if (k >= in.dimension) require(table.count[k] == 1, "%d layers in z of a plane", table.count[k]);
     // A search visits next rows only: a row must hold the reach and what rounding adds at both ends.
-    const double least = k == 0 ? 4096 : in.cell_size + 2.0 * static_cast<double>(hg::kWindowSlack);
+    const double least = k == 0 ? 4096 : in.cell_size + 2.0 * static_cast<double>(hg::kSearchSlack);
     if (k < in.dimension) require(width * slack >= least, "axis %d: width %g is below %g", k, width, least);
   }
   require(static_cast<double>(laid.cells) == cells && static_cast<double>(laid.rows) == rows,

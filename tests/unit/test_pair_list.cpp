@@ -25,7 +25,7 @@ struct List {
   const hg_pair *data() const { return pairs.data(); }
   size_t count() const { return pairs.count(); }
 
-  hg::PairWorkers workers;
+  hg::PairPool workers;
   PairList pairs;
 };
 
@@ -53,7 +53,7 @@ std::vector<hg_pair> all_pairs(const Crowd &crowd) {
       for (hg::Image image = 0; image < 27; image++) {
         if (image != hg::kNoImage && !domain.any_periodic) continue;
         if (domain.dimension == 2 && hg::image_step(image, 2) != 0) continue;
-        found = found || crowd.overlap.test(crowd.store.ball(i), crowd.store.ball(j), image, exact);
+        found = found || crowd.overlap.holds(crowd.store.ball(i), crowd.store.ball(j), image, exact);
       }
       if (found) pairs.push_back({static_cast<int32_t>(i), static_cast<int32_t>(j)});
     }

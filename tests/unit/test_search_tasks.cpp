@@ -42,8 +42,8 @@ void check_tasks(uint64_t seed) {
   const hg::Index &index = crowd.index;
 
   std::map<Part, Range> left = expected_parts(index);
-  for (size_t t = 0; t < index.task_count; t++) {
-    const hg::SearchTask &task = index.tasks[t];
+  for (size_t t = 0; t < crowd.tasks.count(); t++) {
+    const hg::SearchTask &task = crowd.tasks[t];
     const auto part = left.find({task.level, task.target, task.images});
     require(part != left.end(), "task %zu: level %d with %d is not due", t, task.level, task.target);
     require(task.begin == part->second.first && task.end > task.begin && task.end <= part->second.second,

@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/index/build_index.hpp"
+
+#include "src/base/parallel.hpp"
+#include "src/base/reductions.hpp"
+#include "src/index/images.hpp"
+#include "src/kernels/kernel_set.hpp"
+#include "src/kernels/lanes_scalar.hpp"
+#include "src/levels/companions.hpp"
+#include "src/space/level_cells.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace hg {
+namespace {
+
+constexpr size_t kChunk = 4096;      // radii looked at level by level while they are in cache
+constexpr size_t kLeastPart = 8192;  // particles that are worth a thread
+constexpr size_t kRowTasks = 64;     // pieces into which the rows of a level are cut
+
+template <int D>
+class Builder {
+ public:
+  Builder(Index &index, BuildScratch &scratch, const ParticleStore &store, int threads)
+      : index_(index),
+        scratch_(scratch),
+        store_(store),
+        count_(store.slots()),
+        threads_(count_ < kWorthThreads ? 1 : threads),
+        parts_(std::min(static_cast<size_t>(threads_), count_ / kLeastPart + 1)) {}
+
+  void run() {
+    populate_levels();
+    lay_levels();
+    scatter_into_rows();
+    for (int h = 0; h < index_.level_count; h++) sort_level(h);
+  }
+
+ private:
+  IndexLevel &level(int h) { return index_.levels[h]; }
+
+  // How many particles each level takes (Eq. 3: the finest whose cells are at least as wide), and the largest of them.
+  void populate_levels() {
+    size_t up_to[HG_MAX_LEVELS] = {};
+    for (size_t first = 0; first < count_; first += kChunk) {
+      const size_t chunk = std::min(kChunk, count_ - first);
+      for (int h = 0; h < index_.level_count; h++) {
+        const Within here = within(store_.radii() + first, chunk, level(h).plan.radius_limit, 0.0);
+        up_to[h] += here.count;
+        level(h).largest_radius = std::max(level(h).largest_radius, here.greatest);
+      }
+    }
+    uint32_t begin = 0;
+    for (int h = 0; h < index_.level_count; h++) {
+      level(h).begin = begin;
+      level(h).end = begin = static_cast<uint32_t>(up_to[h]);
+      if (level(h).is_empty()) level(h).largest_radius = 0;
+    }
+  }
+
+  void lay_levels() {
+    size_t rows = 0, cells = 0;
+    for (int h = 0; h < index_.level_count; h++) {
+      IndexLevel &l = level(h);
+      row_base_[h] = rows;
+      cell_base_[h] = cells;
+      if (l.is_empty()) continue;
+      const LevelCells laid = lay_cells(index_.map, D, l.plan.cell_size * index_.map.scale, l.end - l.begin);
+      l.cells = laid.table;
+      l.cells.largest_radius =
+          static_cast<float>(index_.interaction.folded_radius(l.largest_radius) * index_.map.scale);
+      const RadiusRange radii{h == 0 ? -1.0 : level(h - 1).plan.radius_limit, l.plan.radius_limit};
+      l.sparse =
+          laid.widened && estimate_companions(store_, index_.map, D, l.cells, radii, l.end - l.begin) > kMostCompanions;
+      rows += l.sparse ? 1 : laid.rows;
+      cells += l.sparse ? 0 : laid.cells + 1;
+      index_.row_count += l.sparse ? 0 : static_cast<int64_t>(laid.rows);
+      index_.cell_count += l.sparse ? 0 : static_cast<int64_t>(laid.cells);
+    }
+    rows_ = rows;
+    index_.cell_begin.require_room(cells + kPadding);
+    for (int h = 0; h < index_.level_count; h++) level(h).cells.cell_begin = index_.cell_begin.data() + cell_base_[h];
+  }
+
+  BuildInput build_input(LevelRows *levels) {
+    const BuildInput input{store_.centers(),   store_.radii(), index_.map, index_.interaction.folded_radius(0),
+                           index_.level_count, levels};
+    for (int h = 0; h < index_.level_count; h++) {
+      const IndexLevel &l = level(h);
+      levels[h] = {l.plan.radius_limit, 0, 0.5f, 0, 0.5f, 1, static_cast<uint32_t>(row_base_[h])};
+      if (l.sparse || l.is_empty()) continue;
+      levels[h].inverse_y = l.cells.inverse_width[1];
+      levels[h].last_y = last_of(l.cells, 1);
+      levels[h].inverse_z = l.cells.inverse_width[2];
+      levels[h].last_z = last_of(l.cells, 2);
+      levels[h].count_y = static_cast<uint32_t>(l.cells.count[1]);
+    }
+    return input;
+  }
+
+  size_t part_begin(size_t part) const { return count_ * part / parts_; }
+
+  // Counting sort by (level, row), stable. Each part of the particles counts for itself.
+  void scatter_into_rows() {
+    const size_t stride = rows_ + 1;
+    scratch_.row_of.require(count_);
+    scratch_.row_begin.require_room(stride * parts_);
+    LevelRows levels[HG_MAX_LEVELS];
+    const BuildInput input = build_input(levels);
+    const BuildKernel &kernel = active_kernels().build[D - 2];
+    uint32_t *begin = scratch_.row_begin.data();
+    parallel_for(threads_, parts_, [&](size_t part, int) {
+      std::fill(begin + part * stride, begin + (part + 1) * stride, 0u);
+      kernel.find_rows(input, part_begin(part), part_begin(part + 1), {scratch_.row_of.data(), begin + part * stride});
+    });
+    uint32_t sum = 0;
+    for (size_t row = 0; row <= rows_; row++) {
+      const uint32_t row_starts = sum;
+      for (size_t part = 0; part < parts_; part++) {
+        const uint32_t here = begin[part * stride + row];
+        begin[part * stride + row] = sum;
+        sum += here;
+      }
+      longest_row_ = std::max<size_t>(longest_row_, sum - row_starts);
+    }
+    scratch_.row.require(2 * longest_row_ * static_cast<size_t>(threads_));
+    PointStore &points = index_.particles;
+    parallel_for(threads_, parts_, [&](size_t part, int) {
+      kernel.put_into_rows(input, part_begin(part), part_begin(part + 1),
+                           {scratch_.row_of.data(), begin + part * stride, points.x.data(), points.y.data(),
+                            points.z.data(), points.radius.data(), points.slot.data()});
+    });
+    // The last part's begins have moved to where the next row begins.
+    std::memmove(begin + 1, begin + (parts_ - 1) * stride, rows_ * sizeof *begin);
+    begin[0] = 0;
+  }
+
+  void sort_level(int h) {
+    IndexLevel &l = level(h);
+    if (l.is_empty()) return;
+    if (l.sparse) {
+      sort_sparse(l);
+      return;
+    }
+    const size_t rows = static_cast<size_t>(l.cells.count[1]) * static_cast<size_t>(l.cells.count[2]);
+    uint32_t *cells = index_.cell_begin.data() + cell_base_[h];
+    const uint32_t *row_begin = scratch_.row_begin.data() + row_base_[h];
+    const auto row_cells = static_cast<size_t>(l.cells.count[0]);
+    parallel_for(threads_, kRowTasks, [&](size_t task, int worker) {
+      uint32_t *room = scratch_.row.data() + static_cast<size_t>(worker) * 2 * longest_row_;
+      for (size_t row = rows * task / kRowTasks; row < rows * (task + 1) / kRowTasks; row++) {
+        sort_row(l, row_begin[row], row_begin[row + 1], cells + row * row_cells, room);
+      }
+    });
+    cells[rows * row_cells] = l.end;
+  }
+
+  // Counting sort of one row by cell, stable; fills the row's part of the table. `room` is for 2 words per particle.
+  void sort_row(const IndexLevel &l, uint32_t begin, uint32_t end, uint32_t *cells, uint32_t *room) {
+    const auto cell_count = static_cast<size_t>(l.cells.count[0]);
+    if (begin == end) {
+      std::fill(cells, cells + cell_count, begin);
+      return;
+    }
+    std::fill(cells, cells + cell_count, 0u);
+    PointStore &points = index_.particles;
+    const int32_t *x = points.x.data() + begin;
+    const size_t count = end - begin;
+    uint32_t *to = room;
+    const float inverse_width = l.cells.inverse_width[0], last = last_of(l.cells, 0);
+    for (size_t i = 0; i < count; i++) {
+      to[i] = static_cast<uint32_t>(cell_of<ScalarLanes>(static_cast<float>(x[i]), inverse_width, last));
+    }
+    for (size_t i = 0; i < count; i++) cells[to[i]]++;
+    uint32_t sum = begin;
+    for (size_t c = 0; c < cell_count; c++) cells[c] = sum += cells[c];
+    for (size_t i = count; i-- > 0;) to[i] = --cells[to[i]];
+    permute(points.x, to, begin, count, room + count);
+    permute(points.y, to, begin, count, room + count);
+    if (D == 3) permute(points.z, to, begin, count, room + count);
+    permute(points.radius, to, begin, count, room + count);
+    permute(points.slot, to, begin, count, room + count);
+  }
+
+  template <class T>
+  static void permute(Buffer<T> &column, const uint32_t *to, uint32_t begin, size_t count, uint32_t *room) {
+    static_assert(sizeof(T) == sizeof(uint32_t));
+    std::memcpy(room, column.data() + begin, count * sizeof(T));
+    for (size_t i = 0; i < count; i++) std::memcpy(column.data() + to[i], room + i, sizeof(T));
+  }
+
+  void sort_sparse(IndexLevel &l) {
+    const uint32_t count = l.end - l.begin;
+    double origin[3] = {0, 0, 0};
+    for (int axis = 0; axis < D; axis++) origin[axis] = 2 * index_.map.half_origin[axis];
+    uint32_t *slots = index_.particles.slot.data() + l.begin;
+    // Any width will do for correctness; a level of points alone (s_h = 0) still needs one. Not the quantum otherwise:
+    // one particle far away makes that wider than a crowd.
+    const double width = l.plan.cell_size > 0 ? l.plan.cell_size : 1.0 / index_.map.scale;
+    l.rows = index_.sparse.add_level(store_, index_.domain, origin, width, slots, l.begin, count);
+    for (uint32_t i = l.begin; i < l.end; i++) place(i, index_.particles.slot[i]);
+  }
+
+  // As the kernels that scatter do.
+  void place(uint32_t at, uint32_t slot) {
+    for (int axis = 0; axis < D; axis++) {
+      index_.particles.column(axis)[at] = index_.map.coordinate(axis, store_.center(slot)[axis]);
+    }
+    index_.particles.radius[at] =
+        static_cast<float>(index_.interaction.folded_radius(store_.radius(slot)) * index_.map.scale);
+  }
+
+  Index &index_;
+  BuildScratch &scratch_;
+  const ParticleStore &store_;
+  size_t count_;
+  int threads_;
+  size_t parts_;  // into which the particles are cut to count and to scatter them
+  size_t rows_ = 0;
+  size_t longest_row_ = 0;
+  size_t row_base_[HG_MAX_LEVELS] = {};
+  size_t cell_base_[HG_MAX_LEVELS] = {};
+};
+
+}  // namespace
+
+void PointStore::require(size_t count, int dimension) {
+  const auto prepare = [count](auto &buffer) {
+    buffer.require(count + kPadding);
+    std::fill(buffer.data() + count, buffer.data() + count + kPadding, 0);
+  };
+  prepare(x);
+  prepare(y);
+  if (dimension == 3) prepare(z);
+  prepare(radius);
+  prepare(slot);
+}
+
+void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store, const LevelPlan &plan, int threads) {
+  const size_t count = store.slots();
+  index.particles.require(count, index.domain.dimension);
+  index.largest_radius = count > 0 ? store.summary().radius.greatest : 0;
+  index.level_count = plan.level_count;
+  index.row_count = index.cell_count = 0;
+  index.sparse.clear();
+  for (int h = 0; h < plan.level_count; h++) {
+    index.levels[h] = IndexLevel{};
+    index.levels[h].plan = plan.levels[h];
+  }
+  if (count == 0) return;
+  if (index.domain.dimension == 2) {
+    Builder<2>(index, scratch, store, threads).run();
+  } else {
+    Builder<3>(index, scratch, store, threads).run();
+  }
+  index.row_count += static_cast<int64_t>(index.sparse.rows());
+  build_images(index);
+}
+
+}  // namespace hg

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The mapping phase (the paper's section 2.1): each particle goes to its level of insertion (Eq. 3) and to its cell
+// there (Eqs. 1 and 2).
+#pragma once
+
+#include "src/index/index.hpp"
+#include "src/particles/particle_store.hpp"
+
+namespace hg {
+
+// What building needs besides the index, kept between builds.
+struct BuildScratch {
+  explicit BuildScratch(Memory &memory) : row_of(memory), row_begin(memory), row(memory) {}
+  Buffer<uint32_t> row_of;     // of each particle, in slot order
+  Buffer<uint32_t> row_begin;  // for each part of the particles
+  Buffer<uint32_t> row;        // for each worker, room to sort a row: 2 words per particle
+};
+
+// Sorts the particles of the store (which has no gaps) into the levels of the plan. The index's interaction and, unless
+// there are no particles, its map must be set. O(N) for dense levels.
+void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store, const LevelPlan &plan, int threads);
+
+}  // namespace hg

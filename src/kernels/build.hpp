@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The two passes of building over the caller's particles, one source for all instruction sets: find the row of each
+// particle, then put it there in fixed point. The second pass makes the coordinates anew, which is cheaper than keeping
+// them between. Plain loops over blocks that the compiler turns into vector code of the file's instruction set.
+#pragma once
+
+#include "src/kernels/kernel_set.hpp"
+#include "src/kernels/lanes_scalar.hpp"
+
+#include <cmath>
+
+namespace hg {
+namespace {
+
+// More than 16, which the compiler would unroll before it could use vectors.
+constexpr size_t kBuildBlock = 64;
+
+template <int D>
+class BuildBlock {
+ public:
+  explicit BuildBlock(const BuildInput &input) : input_(input) {}
+
+  void find_rows(size_t at, size_t count, const RowCount &output) {
+    load(at, count);
+    for (int axis = 1; axis < D; axis++) fix(axis);
+    find_rows();
+    for (size_t i = 0; i < count; i++) {
+      output.row_of[at + i] = row_[i];
+      output.row_count[row_[i]]++;
+    }
+  }
+
+  void put_into_rows(size_t at, size_t count, const RowScatter &output) {
+    load(at, count);
+    for (int axis = 0; axis < D; axis++) fix(axis);
+    fold();
+    // The rows' ends are more cache lines than the nearest cache has: ask for all of them before the first is written.
+    uint32_t *to = row_;
+    for (size_t i = 0; i < count; i++) {
+      to[i] = output.row_next[output.row_of[at + i]]++;
+      __builtin_prefetch(output.x + to[i], 1);
+      __builtin_prefetch(output.y + to[i], 1);
+      if constexpr (D == 3) __builtin_prefetch(output.z + to[i], 1);
+      __builtin_prefetch(output.radius + to[i], 1);
+      __builtin_prefetch(output.slot + to[i], 1);
+    }
+    for (size_t i = 0; i < count; i++) output.x[to[i]] = fixed_[0][i];
+    for (size_t i = 0; i < count; i++) output.y[to[i]] = fixed_[1][i];
+    if constexpr (D == 3) {
+      for (size_t i = 0; i < count; i++) output.z[to[i]] = fixed_[2][i];
+    }
+    for (size_t i = 0; i < count; i++) output.radius[to[i]] = folded_[i];
+    for (size_t i = 0; i < count; i++) output.slot[to[i]] = static_cast<uint32_t>(at + i);
+  }
+
+ private:
+  void load(size_t at, size_t count) {
+    const double *centers = input_.centers + at * D;
+    if (count == kBuildBlock) {
+      for (size_t i = 0; i < kBuildBlock; i++) {
+        for (size_t axis = 0; axis < D; axis++) position_[axis][i] = centers[i * D + axis];
+        radius_[i] = input_.radii[at + i];
+      }
+      return;
+    }
+    for (size_t i = 0; i < kBuildBlock; i++) {
+      const size_t from = i < count ? i : 0;
+      for (size_t axis = 0; axis < D; axis++) position_[axis][i] = centers[from * D + axis];
+      radius_[i] = input_.radii[at + from];
+    }
+  }
+
+  // FixedPoint::coordinate, on a block.
+  void fix(int axis) {
+    double *position = position_[axis];
+    const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
+    const double low = input_.map.box_min[axis], length = input_.map.length[axis];
+    if (length > 0) {
+      for (size_t i = 0; i < kBuildBlock; i++) position[i] = place_in_box(position[i], low, length);
+    }
+    for (size_t i = 0; i < kBuildBlock; i++) {
+      fixed_[axis][i] = floor_within(to_quanta(position[i], half_origin, scale), 0, kFixedPointQuanta - 1);
+    }
+  }
+
+  void fold() {
+    for (size_t i = 0; i < kBuildBlock; i++) {
+      folded_[i] = static_cast<float>((radius_[i] + input_.extra_radius) * input_.map.scale);
+    }
+  }
+
+  // Eq. 2, but for x: the level of insertion h(p), the finest that takes the radius (Eq. 3), picks the widths of the
+  // cells, M(x, h) the row in y and z (Eq. 1). Rows are numbered through all levels.
+  void find_rows() {
+    float inverse_y[kBuildBlock], last_y[kBuildBlock], inverse_z[kBuildBlock], last_z[kBuildBlock];
+    uint32_t count_y[kBuildBlock], base[kBuildBlock];
+    const LevelRows &finest = input_.levels[0];
+    for (size_t i = 0; i < kBuildBlock; i++) {
+      inverse_y[i] = finest.inverse_y;
+      last_y[i] = finest.last_y;
+      inverse_z[i] = finest.inverse_z;
+      last_z[i] = finest.last_z;
+      count_y[i] = finest.count_y;
+      base[i] = finest.row_base;
+    }
+    for (int h = 1; h < input_.level_count; h++) {
+      const LevelRows level = input_.levels[h];
+      const double limit = input_.levels[h - 1].radius_limit;
+      for (size_t i = 0; i < kBuildBlock; i++) {
+        const bool coarser = radius_[i] > limit;
+        inverse_y[i] = coarser ? level.inverse_y : inverse_y[i];
+        last_y[i] = coarser ? level.last_y : last_y[i];
+        inverse_z[i] = coarser ? level.inverse_z : inverse_z[i];
+        last_z[i] = coarser ? level.last_z : last_z[i];
+        count_y[i] = coarser ? level.count_y : count_y[i];
+        base[i] = coarser ? level.row_base : base[i];
+      }
+    }
+    for (size_t i = 0; i < kBuildBlock; i++) {
+      const uint32_t y = row_along(fixed_[1][i], inverse_y[i], last_y[i]);
+      const uint32_t z = D == 3 ? row_along(fixed_[2][i], inverse_z[i], last_z[i]) : 0;
+      row_[i] = base[i] + z * count_y[i] + y;
+    }
+  }
+
+  static uint32_t row_along(int32_t x, float inverse, float last) {
+    return static_cast<uint32_t>(cell_of<ScalarLanes>(static_cast<float>(x), inverse, last));
+  }
+
+  const BuildInput &input_;
+  alignas(64) double position_[3][kBuildBlock];
+  alignas(64) double radius_[kBuildBlock];
+  alignas(64) int32_t fixed_[3][kBuildBlock];
+  alignas(64) float folded_[kBuildBlock];
+  alignas(64) uint32_t row_[kBuildBlock];
+};
+
+template <int D>
+void find_rows(const BuildInput &input, size_t begin, size_t end, const RowCount &output) {
+  BuildBlock<D> block(input);
+  for (size_t at = begin; at < end; at += kBuildBlock) {
+    block.find_rows(at, end - at < kBuildBlock ? end - at : kBuildBlock, output);
+  }
+}
+
+template <int D>
+void put_into_rows(const BuildInput &input, size_t begin, size_t end, const RowScatter &output) {
+  BuildBlock<D> block(input);
+  for (size_t at = begin; at < end; at += kBuildBlock) {
+    block.put_into_rows(at, end - at < kBuildBlock ? end - at : kBuildBlock, output);
+  }
+}
+
+template <int D>
+constexpr BuildKernel make_build() {
+  return {find_rows<D>, put_into_rows<D>};
+}
+
+}  // namespace
+}  // namespace hg

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The kernels of each instruction set that this build holds, and the choice among them at run time. A kernel is a
+// function over plain pointers and numbers, so that it can be compiled for an instruction set of its own without
+// sharing inline functions with other files. The order is that of the data: input check, build, search; then, step by
+// step, update and filter.
+#pragma once
+
+#include "src/base/interval.hpp"
+#include "src/exact/interaction.hpp"
+#include "src/kernels/pair_stream.hpp"
+#include "src/kernels/points.hpp"
+#include "src/space/cell_table.hpp"
+#include "src/space/fixed_point.hpp"
+
+namespace hg {
+
+// ---- input check: what the caller gives
+
+// Arrays of count > 0 particles, and where to copy them.
+struct InputArrays {
+  size_t count;
+  const double *centers, *radii;      // radii may be NULL
+  double *center_copy, *radius_copy;  // may be NULL
+};
+
+struct InputSummary {
+  Interval center[3];
+  Interval radius;
+  bool finite;  // without it the intervals mean nothing
+};
+
+using InputCheckKernel = InputSummary(const InputArrays &input);
+
+// ---- build: from the caller's arrays to rows of points
+
+// Of a level: rows are numbered row_base + z * count_y + y. A level without a table of cells has zero inverse widths
+// and a single row.
+struct LevelRows {
+  double radius_limit;  // the largest radius that the level takes
+  float inverse_y, last_y, inverse_z, last_z;
+  uint32_t count_y, row_base;
+};
+
+struct BuildInput {
+  const double *centers, *radii;
+  FixedPoint map;
+  double extra_radius;  // makes a radius a folded one
+  int level_count;
+  const LevelRows *levels;
+};
+
+struct RowCount {
+  uint32_t *row_of;     // of each particle
+  uint32_t *row_count;  // counted up
+};
+
+// Where particles go, in the order in which they come within each row.
+struct RowScatter {
+  const uint32_t *row_of;
+  uint32_t *row_next;  // where the next particle of a row goes; counted up
+  int32_t *x, *y, *z;  // z is not written in 2D
+  float *radius;
+  uint32_t *slot;
+};
+
+struct BuildKernel {
+  void (*find_rows)(const BuildInput &input, size_t begin, size_t end, const RowCount &output);
+  void (*put_into_rows)(const BuildInput &input, size_t begin, size_t end, const RowScatter &output);
+};
+
+// ---- search: from points to pairs
+
+// Points that step through the stencil together. The order of the pairs depends on it, so work is cut at multiples.
+inline constexpr uint32_t kBlock = 16;
+
+struct SearchKernel {
+  // Pairs within one level: each of the points [begin, end), which are particles of that level, with those after it.
+  // Rows must be at least as wide as the reach on that level. False if the output stopped.
+  bool (*own_level)(const PointArrays &points, uint32_t begin, uint32_t end, const CellTable &cells,
+                    PairStream *stream);
+  // Pairs of each of the points [begin, end) with all particles of a level.
+  bool (*cross_level)(const PointArrays &points, uint32_t begin, uint32_t end, const CellTable &cells,
+                      const PointArrays &particles, PairStream *stream);
+};
+
+// ---- update: where the particles of stored candidates are now
+
+// Where particles were when the candidates were collected, and where they are now.
+struct UpdateInput {
+  const double *centers, *radii;  // the caller's; radii NULL: no radius has changed since the candidates were collected
+  const uint32_t *slot;           // of each point in `centers`
+  const int32_t *x[3];            // of each point when the candidates were collected; x[2] is not read in 2D
+  const float *radius;            // likewise, folded with the wider reach of the candidates
+  FixedPoint map;
+  double extra_radius, extra_wide_radius;  // make a radius a folded one, for the true and for the wider reach
+  float room;                              // how far a particle may move and grow together, in quanta
+};
+
+// Writes points [begin, end): where the particles are now, beyond the faces of a periodic box if they left it. Radii
+// are written only if given. False, with any points, if one has moved too far.
+using UpdateKernel = bool(const UpdateInput &input, size_t begin, size_t end, Point *points);
+
+// ---- filter: from stored candidates to pairs
+
+// Candidates as pairs of points.
+struct FilterInput {
+  const Point *points;
+  const uint32_t *slot;  // of each point
+  const hg_pair *pairs;
+  size_t count;
+};
+
+// Sends the candidates that interact to the stream, as slots and in their order. Undecided pairs name points instead of
+// slots. False if the output stopped.
+using FilterKernel = bool(const FilterInput &input, PairStream *stream);
+
+// ---- all of one instruction set, by dimension - 2 and by rule of interaction
+
+struct KernelSet {
+  const char *name;
+  InputCheckKernel *check_input[2];
+  BuildKernel build[2];
+  SearchKernel search[2][InteractionRules::kCount];
+  UpdateKernel *update[2];
+  FilterKernel *filter[InteractionRules::kCount];
+};
+
+extern const KernelSet kScalarKernels;
+extern const KernelSet kSse2Kernels;
+extern const KernelSet kAvx2Kernels;
+extern const KernelSet kAvx512Kernels;
+extern const KernelSet kNeonKernels;
+
+// The best that this machine runs, or what the environment variable HGRID_ISA names. Chosen once, at the first call.
+// Throws HG_ERR_ARGUMENT if HGRID_ISA names an instruction set that is unknown, not built or not supported here.
+const KernelSet &active_kernels();
+
+}  // namespace hg

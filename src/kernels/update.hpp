@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the particles of stored candidates are now, and whether any has moved too far; one source for all instruction
+// sets. Plain loops over blocks of 16, as in build.hpp.
+#pragma once
+
+#include "src/kernels/kernel_set.hpp"
+
+#include <cmath>
+
+namespace hg {
+namespace {
+
+constexpr size_t kUpdateBlock = 16;
+constexpr size_t kFetchAhead = 48;  // points whose centres are on their way from memory
+
+// Coordinates are cut off there: beyond, a particle is farther from any place in the frame than a skin reaches.
+constexpr double kLow = -0x1p29, kSpan = 0x1p31 - 1;
+
+// How far two conversions of a radius to float may be off, relative to it; docs/exactness.md.
+constexpr float kGrowthError = 0x1p-21f;
+
+template <int D>
+class UpdateBlock {
+ public:
+  explicit UpdateBlock(const UpdateInput &input) : input_(input) {}
+
+  // False if a particle has moved too far.
+  bool run(size_t at, size_t count, Point *points) {
+    load(at, count);
+    for (float &d2 : moved2_) d2 = 0;
+    for (int axis = 0; axis < D; axis++) update_axis(axis);
+    for (float &room : room_) room = input_.room;
+    if (input_.radii != nullptr) grow();
+    int32_t beyond = 0;
+    for (size_t i = 0; i < kUpdateBlock; i++) beyond |= moved2_[i] <= room_[i] * room_[i] ? 0 : 1;
+    for (size_t i = 0; i < kUpdateBlock; i++) beyond |= room_[i] >= 0.0f ? 0 : 1;
+    for (size_t i = 0; i < count; i++) {
+      Point &point = points[at + i];
+      point.x = fixed_[0][i];
+      point.y = fixed_[1][i];
+      point.z = D == 3 ? fixed_[2][i] : 0;
+      if (input_.radii != nullptr) point.radius = folded_[i];
+    }
+    return beyond == 0;
+  }
+
+ private:
+  // A block that is not full repeats its first particle.
+  void load(size_t at, size_t count) {
+    if (count == kUpdateBlock) {
+      for (size_t i = 0; i < kUpdateBlock; i++) load_one(i, at + i);
+      for (int axis = 0; axis < D; axis++) start_[axis] = input_.x[axis] + at;
+      return;
+    }
+    for (size_t i = 0; i < kUpdateBlock; i++) {
+      const size_t from = at + (i < count ? i : 0);
+      load_one(i, from);
+      for (int axis = 0; axis < D; axis++) start_copy_[axis][i] = input_.x[axis][from];
+    }
+    for (int axis = 0; axis < D; axis++) start_[axis] = start_copy_[axis];
+  }
+
+  void load_one(size_t i, size_t from) {
+    const size_t slot = input_.slot[from];
+    for (size_t axis = 0; axis < D; axis++) position_[axis][i] = input_.centers[slot * D + axis];
+    if (input_.radii == nullptr) return;
+    radius_[i] = input_.radii[slot];
+    start_radius_[i] = input_.radius[from];
+  }
+
+  // FixedPoint::coordinate, but on open axes particles may leave the frame, and on periodic ones they keep to the image
+  // that is nearest to where they were.
+  void update_axis(int axis) {
+    double *__restrict position = position_[axis];
+    int32_t *__restrict fixed = fixed_[axis];
+    const int32_t *__restrict start = start_[axis];
+    float *__restrict moved2 = moved2_;
+    const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
+    const double low = input_.map.box_min[axis], length = input_.map.length[axis];
+    if (length > 0) {
+      for (size_t i = 0; i < kUpdateBlock; i++) position[i] = place_in_box(position[i], low, length);
+    }
+    for (size_t i = 0; i < kUpdateBlock; i++) {
+      fixed[i] = floor_within(to_quanta(position[i], half_origin, scale), kLow, kSpan);
+    }
+    if (length > 0) {
+      const int32_t period = input_.map.period[axis], half = period / 2;
+      for (size_t i = 0; i < kUpdateBlock; i++) {
+        const int32_t moved = fixed[i] - start[i];
+        fixed[i] += moved > half ? -period : (moved < -half ? period : 0);
+      }
+    }
+    for (size_t i = 0; i < kUpdateBlock; i++) {
+      const float moved = static_cast<float>(fixed[i] - start[i]);
+      moved2[i] += moved * moved;
+    }
+  }
+
+  // Growth counts as motion; what shrinks stays a candidate.
+  void grow() {
+    for (size_t i = 0; i < kUpdateBlock; i++) {
+      folded_[i] = static_cast<float>((radius_[i] + input_.extra_radius) * input_.map.scale);
+    }
+    for (size_t i = 0; i < kUpdateBlock; i++) {
+      const float wide = static_cast<float>((radius_[i] + input_.extra_wide_radius) * input_.map.scale);
+      const float growth = wide - start_radius_[i];
+      room_[i] -= (growth > 0.0f ? growth : 0.0f) + kGrowthError * wide;
+    }
+  }
+
+  const UpdateInput &input_;
+  alignas(64) double position_[3][kUpdateBlock];
+  alignas(64) double radius_[kUpdateBlock];
+  const int32_t *start_[3];
+  alignas(64) int32_t start_copy_[3][kUpdateBlock];
+  alignas(64) int32_t fixed_[3][kUpdateBlock];
+  alignas(64) float start_radius_[kUpdateBlock];
+  alignas(64) float folded_[kUpdateBlock];
+  alignas(64) float moved2_[kUpdateBlock];
+  alignas(64) float room_[kUpdateBlock];
+};
+
+template <int D>
+bool update(const UpdateInput &input, size_t begin, size_t end, Point *points) {
+  UpdateBlock<D> block(input);
+  for (size_t at = begin; at < end; at += kUpdateBlock) {
+    if (at + kFetchAhead + kUpdateBlock <= end) {
+      const uint32_t *ahead = input.slot + at + kFetchAhead;
+      for (size_t i = 0; i < kUpdateBlock; i++) __builtin_prefetch(input.centers + static_cast<size_t>(ahead[i]) * D);
+    }
+    if (!block.run(at, end - at < kUpdateBlock ? end - at : kUpdateBlock, points)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+}  // namespace hg

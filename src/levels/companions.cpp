@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/levels/companions.hpp"
+
+#include "src/kernels/lanes_scalar.hpp"
+
+#include <algorithm>
+
+namespace hg {
+namespace {
+
+constexpr size_t kSample = 4096;
+
+uint64_t cell_number(const double *center, const FixedPoint &map, int dimension, const CellTable &cells) {
+  uint64_t number = 0;
+  for (int axis = 0; axis < dimension; axis++) {
+    const auto x = static_cast<float>(map.coordinate(axis, center[axis]));
+    const int32_t cell = cell_of<ScalarLanes>(x, cells.inverse_width[axis], last_of(cells, axis));
+    number = number << 20 | static_cast<uint64_t>(cell);
+  }
+  return number;
+}
+
+}  // namespace
+
+double estimate_companions(const ParticleStore &store, const FixedPoint &map, int dimension, const CellTable &cells,
+                           const RadiusRange &radii, size_t particles) {
+  const size_t stride = (particles + kSample - 1) / kSample;
+  uint64_t sample[kSample];
+  size_t seen = 0, sampled = 0;
+  for (size_t slot = 0; slot < store.slots(); slot++) {
+    const double radius = store.radius(slot);
+    if (!(radius > radii.above && radius <= radii.up_to) || seen++ % stride != 0) continue;
+    sample[sampled++] = cell_number(store.center(slot), map, dimension, cells);
+  }
+  if (sampled < 2) return 0;
+  std::sort(sample, sample + sampled);
+  double together = 0;
+  for (size_t first = 0, i = 1; i <= sampled; i++) {
+    if (i < sampled && sample[i] == sample[first]) continue;
+    together += 0.5 * static_cast<double>(i - first) * static_cast<double>(i - first - 1);
+    first = i;
+  }
+  const double all_pairs = 0.5 * static_cast<double>(sampled) * static_cast<double>(sampled - 1);
+  return static_cast<double>(particles) * together / all_pairs;
+}
+
+}  // namespace hg

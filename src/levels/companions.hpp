@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How many others share a particle's cell, estimated from a sample: whether a table of cells suits a level.
+#pragma once
+
+#include "src/particles/particle_store.hpp"
+#include "src/space/cell_table.hpp"
+#include "src/space/fixed_point.hpp"
+
+namespace hg {
+
+// Beyond so many a widened table does not pay, and the level keeps sparse rows instead.
+inline constexpr double kMostCompanions = 40;
+
+// Radii above `above` and up to `up_to` belong to the level.
+struct RadiusRange {
+  double above, up_to;
+};
+
+// The mean over the particles of a level, not over its cells.
+double estimate_companions(const ParticleStore &store, const FixedPoint &map, int dimension, const CellTable &cells,
+                           const RadiusRange &radii, size_t particles);
+
+}  // namespace hg

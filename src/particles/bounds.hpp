@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The extents of what is stored.
+#pragma once
+
+#include "src/particles/particle_store.hpp"
+#include "src/space/bounds.hpp"
+
+namespace hg {
+
+// The same whatever the number of threads.
+Bounds bounds_of(const ParticleStore &store, const Domain &domain, int threads);
+
+}  // namespace hg

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The stored candidates that interact now.
+#pragma once
+
+#include "src/pairs/pair_source.hpp"
+#include "src/search/stored_candidates.hpp"
+
+namespace hg {
+
+class CandidateFilter final : public PairSource {
+ public:
+  CandidateFilter(const StoredCandidates &candidates, const ParticleStore &store, const Overlap &overlap)
+      : candidates_(candidates), store_(store), overlap_(overlap) {}
+  size_t task_count() const override;
+  PairJudge judge() const override;
+  bool send(size_t task, PairStream &stream) const override;
+
+ private:
+  const StoredCandidates &candidates_;
+  const ParticleStore &store_;
+  const Overlap &overlap_;
+};
+
+}  // namespace hg
