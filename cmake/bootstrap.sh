@@ -11,7 +11,7 @@ hgrid_build_packages=(gcc g++ gfortran cmake ninja-build pkg-config libcli11-dev
   libpugixml-dev libtomlplusplus-dev)
 # shellcheck disable=SC2034  # the sourcing script uses the lists
 hgrid_test_packages=(binutils libcmocka-dev python3 python3-dev python3-numpy swig)
-# What hgrid_compare can compare the library with and hgrid_parts is made with (docs/benchmarks.md). Neither ./demo nor
+# What hgrid_compare can compare the library with and hgrid_parts is made with (docs/evidence/benchmarks.md). Neither ./demo nor
 # ./check asks for these.
 # shellcheck disable=SC2034  # as above
 hgrid_peer_packages=(libbenchmark-dev libboost-dev libbullet-dev libcgal-dev libembree-dev liblammps-dev libnanoflann-dev)

@@ -15,7 +15,7 @@ namespace {
 using hgtest::Pairs;
 using hgtest::Sphere;
 
-constexpr double kFloatExtra = 0x1p-47;  // docs/exactness.md, section 9
+constexpr double kFloatExtra = 0x1p-47;  // docs/theory/exactness.md, section 9
 
 Pairs lacking(const Pairs &from, const Pairs &other) {
   Pairs result;

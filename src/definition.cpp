@@ -113,14 +113,14 @@ void fill_defaults(hg_grid_def *def, size_t struct_size) {
   std::memcpy(def, &defaults, struct_size);
 }
 
-Definition check_definition(const hg_grid_def &caller) {
-  if (caller.struct_size < kFirstStructSize || caller.struct_size > sizeof(hg_grid_def)) {
+Definition check_definition(const hg_grid_def &given) {
+  if (given.struct_size < kFirstStructSize || given.struct_size > sizeof(hg_grid_def)) {
     fail(HG_ERR_ARGUMENT, "def.struct_size = %u: the definition was not initialised, or by a newer header",
-         static_cast<unsigned>(caller.struct_size));
+         static_cast<unsigned>(given.struct_size));
   }
   hg_grid_def def;
   fill_defaults(&def, sizeof def);
-  std::memcpy(&def, &caller, caller.struct_size);
+  std::memcpy(&def, &given, given.struct_size);
 
   check_choice("dimension", def.dimension, 2, 3);
   check_choice("thread_count", def.thread_count, 0, 1024);

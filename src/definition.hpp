@@ -26,6 +26,6 @@ struct Definition {
 void fill_defaults(hg_grid_def *def, size_t struct_size);
 
 // Throws an Error that names the member and its value.
-Definition check_definition(const hg_grid_def &def);
+Definition check_definition(const hg_grid_def &given);
 
 }  // namespace hg

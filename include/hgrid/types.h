@@ -22,7 +22,7 @@ enum {
 enum {
   HG_EXACT = 0,  /* as real arithmetic on the stored doubles would */
   HG_DOUBLE = 1, /* as dx*dx + dy*dy + dz*dz < s*s in doubles, added in this order, without contraction */
-  HG_FLOAT = 2   /* never misses; extra pairs are nearer to touching than stated in docs/exactness.md */
+  HG_FLOAT = 2   /* never misses; extra pairs are nearer to touching than stated in docs/theory/exactness.md */
 };
 
 /* hg_grid_def.pair_order: the order of hg_query_pairs and hg_visit_pairs. Both are reproducible. */
@@ -68,7 +68,7 @@ typedef struct hg_grid_def {
   double margin;            /* added to every reach, >= 0, caller's length unit (0) */
   double skin;              /* how far particles may move, growth of their radii included, two together, before
                                stored candidates are searched anew, >= 0, length; 0 = search always. It changes the
-                               time, never the pairs; docs/performance.md says which to take (0) */
+                               time, never the pairs; docs/evidence/performance.md says which to take (0) */
   int32_t periodic[3];      /* per axis: 0 open, 1 periodic (0, 0, 0) */
   int32_t reserved1;        /* 0 */
   double box_min[3];        /* periodic axes: the box, needed. Open axes: particles may lie anywhere; a box with */
@@ -91,7 +91,8 @@ typedef struct hg_level {
 
 /* What the level rule expects of L levels, one entry for each L looked at, L = 1, 2, ... The cost is L (m + K) (Eq. 7)
  * for PAPER, and for AUTO with cell_overhead >= 0. Else it is level_price * L + row_price * rows
- * + tests, counts per particle that are expected from the sizes and a sample of the places: docs/algorithm.md. */
+ * + tests, counts per particle that are expected from the sizes and a sample of the places: docs/theory/algorithm.md.
+ */
 typedef struct hg_level_cost {
   int32_t level_count; /* L */
   int32_t reachable;   /* 0 if the sizes cannot be split into L levels (then m and cost are 0), else 1 */

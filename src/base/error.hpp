@@ -29,7 +29,7 @@ class Error : public std::exception {
   va_start(arguments, format);
   Error error(status, format, arguments);
   va_end(arguments);
-  throw error;
+  throw Error(error);
 }
 
 }  // namespace hg

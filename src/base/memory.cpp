@@ -17,12 +17,12 @@ namespace {
 // is given for the whole of the pages that malloc mapped, as realloc must copy memory of which only a part has it.
 void *with_large_pages(void *memory, size_t size) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-  constexpr uintptr_t kPage = 4096;
+  constexpr size_t kPage = 4096;
   constexpr size_t kWorthIt = size_t{4} << 20;
   if (memory == nullptr || size < kWorthIt) return memory;
-  const uintptr_t first = reinterpret_cast<uintptr_t>(memory) / kPage * kPage;
-  const uintptr_t last = (reinterpret_cast<uintptr_t>(memory) + size + kPage - 1) / kPage * kPage;
-  madvise(reinterpret_cast<void *>(first), last - first, MADV_HUGEPAGE);
+  const size_t into_page = reinterpret_cast<uintptr_t>(memory) % kPage;
+  const size_t pages = (into_page + size + kPage - 1) / kPage;
+  madvise(static_cast<char *>(memory) - into_page, pages * kPage, MADV_HUGEPAGE);
 #else
   (void)size;
 #endif

@@ -48,8 +48,8 @@ inline constexpr Image kImages = 27;
 
 inline Image make_image(int x, int y, int z) { return static_cast<Image>((x + 1) + 3 * (y + 1) + 9 * (z + 1)); }
 inline int image_step(Image image, int axis) {
-  static constexpr int divisor[3] = {1, 3, 9};
-  return image / divisor[axis] % 3 - 1;
+  const int divisor = axis == 0 ? 1 : (axis == 1 ? 3 : 9);
+  return image / divisor % 3 - 1;
 }
 
 }  // namespace hg

@@ -14,8 +14,8 @@ namespace {
 // relative to the least one present, sums become integers of at most 2097 + 53 + 33 (factor) + 3 (terms, sign) bits.
 constexpr int kMaxLimbs = 35;
 using Limb = uint64_t;
-__extension__ typedef __int128 Wide;
-__extension__ typedef unsigned __int128 WideLimb;
+__extension__ using Wide = __int128;
+__extension__ using WideLimb = unsigned __int128;
 
 struct Parts {
   bool negative;

@@ -14,8 +14,8 @@ namespace {
 
 // For each mask of 8 lanes, the lanes that are set, in order.
 struct CompressTable {
-  uint64_t lanes[256];
-  constexpr CompressTable() : lanes() {
+  uint64_t lanes[256] = {};
+  constexpr CompressTable() {
     for (unsigned mask = 0; mask < 256; mask++) {
       unsigned used = 0;
       for (uint64_t lane = 0; lane < 8; lane++) {
@@ -40,7 +40,7 @@ struct Avx2Lanes {
 
   // As in lanes_sse2.hpp.
   static Int load_points(const Point *points, const int32_t *index) {
-    const auto point = [=](int pair) {
+    const auto point = [=](size_t pair) {
       return _mm_loadu_si128(reinterpret_cast<const __m128i *>(points + index[2 * pair]));
     };
     return _mm256_inserti128_si256(_mm256_castsi128_si256(point(0)), point(4), 1);

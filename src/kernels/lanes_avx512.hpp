@@ -26,7 +26,7 @@ struct Avx512Lanes {
 
   // As in lanes_sse2.hpp.
   static Int load_points(const Point *points, const int32_t *index) {
-    const auto point = [=](int pair) {
+    const auto point = [=](size_t pair) {
       return _mm_loadu_si128(reinterpret_cast<const __m128i *>(points + index[2 * pair]));
     };
     const Int two = _mm512_inserti32x4(_mm512_castsi128_si512(point(0)), point(4), 1);

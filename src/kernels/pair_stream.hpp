@@ -46,17 +46,11 @@ inline constexpr uint32_t kMaxUndecided = 64;
 struct PairStream {
   PairJudge judge;
   PairOutput *output;
-  uint32_t undecided_count;
+  uint32_t undecided_count = 0;
   UndecidedPair undecided[kMaxUndecided];  // in the order of the pairs
-  int64_t candidate_total, undecided_total, exact_total;
+  int64_t candidate_total = 0, undecided_total = 0, exact_total = 0;
 
-  PairStream(const PairJudge &pair_judge, PairOutput *pair_output)
-      : judge(pair_judge),
-        output(pair_output),
-        undecided_count(0),
-        candidate_total(0),
-        undecided_total(0),
-        exact_total(0) {}
+  PairStream(const PairJudge &pair_judge, PairOutput *pair_output) : judge(pair_judge), output(pair_output) {}
 };
 
 }  // namespace hg

@@ -17,7 +17,7 @@ constexpr size_t kFetchAhead = 48;  // points whose centres are on their way fro
 // Coordinates are cut off there: beyond, a particle is farther from any place in the frame than a skin reaches.
 constexpr double kLow = -0x1p29, kSpan = 0x1p31 - 1;
 
-// How far two conversions of a radius to float may be off, relative to it; docs/exactness.md.
+// How far two conversions of a radius to float may be off, relative to it; docs/theory/exactness.md.
 constexpr float kGrowthError = 0x1p-21f;
 
 template <int D>
@@ -34,7 +34,7 @@ class UpdateBlock {
     if (input_.radii != nullptr) grow();
     int32_t beyond = 0;
     for (size_t i = 0; i < kUpdateBlock; i++) beyond |= moved2_[i] <= room_[i] * room_[i] ? 0 : 1;
-    for (size_t i = 0; i < kUpdateBlock; i++) beyond |= room_[i] >= 0.0f ? 0 : 1;
+    for (const float room : room_) beyond |= room >= 0.0f ? 0 : 1;
     for (size_t i = 0; i < count; i++) {
       Point &point = points[at + i];
       point.x = fixed_[0][i];

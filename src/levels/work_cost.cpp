@@ -13,7 +13,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 
 // Sparse rows are found by binary search and tested one candidate at a time, in doubles: so many times dearer. On
-// clusters, where levels are sparse, docs/performance.md.
+// clusters, where levels are sparse, docs/evidence/performance.md.
 constexpr double kSparseRow = 3;
 constexpr double kSparseTest = 30;
 
@@ -93,17 +93,17 @@ void WorkCost::add_search(const Level &searcher, const Level &target, bool own, 
   const SearchReach reach = interaction_.with_rule([&](auto rule) { return rule.towards(target.largest_radius, own); });
   double w[4];
   mean_powers(searcher, reach.slope, reach.offset + interaction_.margin * map_.scale, w);
-  const double W = target.row_width, c = target.cell_length;
+  const double width = target.row_width, length = target.cell_length;
   double rows, volume;
   if (dimension_ == 3) {
-    const double area = W * W + 4 * W * w[1] + kPi * w[2];
-    rows = area / (W * W);
-    volume = 2 * W * W * w[1] + 2 * kPi * W * w[2] + 4 * kPi / 3 * w[3] + c * area;
+    const double area = width * width + 4 * width * w[1] + kPi * w[2];
+    rows = area / (width * width);
+    volume = 2 * width * width * w[1] + 2 * kPi * width * w[2] + 4 * kPi / 3 * w[3] + length * area;
   } else {
-    rows = 1 + 2 * w[1] / W;
-    volume = 2 * W * w[1] + kPi * w[2] + c * (W + 2 * w[1]);
+    rows = 1 + 2 * w[1] / width;
+    volume = 2 * width * w[1] + kPi * w[2] + length * (width + 2 * w[1]);
   }
-  const double density = target.particles * density_.at(2 * w[1] + W);
+  const double density = target.particles * density_.at(2 * w[1] + width);
   const double tests = std::min(volume * density, target.particles);
   const double share = searcher.particles / particles_;
   const double met = std::min(rows, target.rows) * (target.sparse ? kSparseRow : 1);

@@ -47,7 +47,9 @@ void NeighborRows::build(const hg_pair *pairs, size_t pair_count, size_t row_cou
   // Each offset has moved to where the next row begins.
   std::memmove(offset + 1, offset, row_count * sizeof *offset);
   offset[0] = 0;
-  for (size_t row = 0; row < row_count; row++) sort_row(&neighbors_[0] + offset[row], &neighbors_[0] + offset[row + 1]);
+  for (size_t row = 0; row < row_count; row++) {
+    sort_row(neighbors_.data() + offset[row], neighbors_.data() + offset[row + 1]);
+  }
 }
 
 }  // namespace hg

@@ -24,8 +24,8 @@ class PairSearch : public PairSource {
   bool send(size_t task, PairStream &stream) const override;
 
  protected:
-  // Of `particles` and `images`, which name the pairs by their slots, or by whatever stands in place of them.
-  bool send(size_t task, const PointArrays &particles, const PointArrays &images, PairStream &stream) const;
+  // Task n, of `particles` and `images`, which name the pairs by their slots, or by whatever stands in place of them.
+  bool send(size_t n, const PointArrays &particles, const PointArrays &images, PairStream &stream) const;
 
   const Index &index_;
   const SearchTasks &tasks_;

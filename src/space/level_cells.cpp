@@ -40,7 +40,9 @@ LevelCells lay_cells(const FixedPoint &map, int dimension, double cell_size, siz
   const double wanted = total(map.extent, width, dimension);
   level.widened = level.widened || wanted > most;
   if (wanted > most) width[0] *= std::min(wanted / most, kMostStretch);
-  for (double cells = total(map.extent, width, dimension); cells > most; cells = total(map.extent, width, dimension)) {
+  for (;;) {
+    const double cells = total(map.extent, width, dimension);
+    if (cells <= most) break;
     const double grow = std::max(std::pow(cells / most, 1.0 / dimension), 1.01);
     for (double &w : width) w *= grow;
   }

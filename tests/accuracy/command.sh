@@ -55,6 +55,6 @@ printf 'knob,system,setting,number,error_of,error,ns,is_default,note\na,b,c,0,d,
 # The page and its picture hold what the recorded points say.
 "$hgrid" accuracy --from "$source/programs/bench/results/amd-epyc/accuracy.csv" --markdown --svg page.svg >page.md
 grep '^|' page.md | while read -r line; do
-  grep -qxF -- "$line" "$source/docs/accuracy.md" || { echo "docs/accuracy.md lacks: $line"; exit 1; }
+  grep -qxF -- "$line" "$source/docs/accuracy.md" || { echo "docs/evidence/accuracy.md lacks: $line"; exit 1; }
 done
-diff <(grep -F '<circle' page.svg) <(grep -F '<circle' "$source/docs/images/accuracy.svg")
+diff <(grep -F '<circle' page.svg) <(grep -F '<circle' "$source/docs/evidence/images/accuracy.svg")

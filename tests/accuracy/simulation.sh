@@ -31,8 +31,8 @@ status=0
 "$hgrid" accuracy --simulation --from "$source/programs/bench/results/amd-epyc/accuracy-simulation.csv" --markdown \
   --svg page.svg >page.md
 grep '^|' page.md | while read -r line; do
-  grep -qxF -- "$line" "$source/docs/accuracy-simulation.md" || { echo "docs/accuracy-simulation.md lacks: $line"; exit 1; }
+  grep -qxF -- "$line" "$source/docs/accuracy-simulation.md" || { echo "docs/evidence/accuracy-simulation.md lacks: $line"; exit 1; }
 done
 [[ $(grep -c '| agrees |' page.md) == 29 ]]
 ! grep -q '| differs |' page.md
-cmp page.svg "$source/docs/images/accuracy-simulation.svg"
+cmp page.svg "$source/docs/evidence/images/accuracy-simulation.svg"

@@ -163,7 +163,7 @@ void words_are_compared_by_edits(void **) {
   assert_int_equal(scene::edit_distance("", "abc"), 3);
 }
 
-// Every key is told in docs/simulation.md as the program prints it.
+// Every key is told in docs/guide/simulation.md as the program prints it.
 bool docs_hold_the_reference() {
   std::ifstream file(HGRID_SIMULATION_PAGE);
   const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());

@@ -40,7 +40,7 @@ double sticking_restitution(double e, double q) {
   return std::exp(-h) * (std::cos(w) - h / w * std::sin(w));
 }
 
-// A contact with a wall at some overlap, from the material's numbers (docs/simulation.md, What is computed).
+// A contact with a wall at some overlap, from the material's numbers (docs/guide/simulation.md, What is computed).
 struct Law {
   double normal, normal_damping;          // the spring's force, force per closing speed
   double tangential, tangential_damping;  // force per stretch and per its rate

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-# Every test that docs/robustness.md names as `folder/file: word` is there: the file holds the word.
+# Every test that docs/evidence/robustness.md names as `folder/file: word` is there: the file holds the word.
 # names.sh PAGE TESTS_DIR
 set -euo pipefail
 page=$1 tests=$2

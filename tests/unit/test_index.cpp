@@ -120,7 +120,7 @@ class Scene {
   }
 
   // Open axes: floored, so at most one quantum off. Periodic ones: from the exact position in the box, modulo the
-  // period, with what wrapping may add (docs/exactness.md).
+  // period, with what wrapping may add (docs/theory/exactness.md).
   void check_places() {
     const hg::PointStore &points = index_.particles;
     for (uint32_t i = 0; i < store_.slots(); i++) {

@@ -21,7 +21,7 @@ using hg::PairSink;
 using hg::PointArrays;
 
 // Two positions that were floored, wrapped and shifted across the box are at most this many quanta farther from or
-// nearer to each other than they should be, in any rounding mode (docs/exactness.md).
+// nearer to each other than they should be, in any rounding mode (docs/theory/exactness.md).
 constexpr double kQuantisation = 6.08;
 
 using Pair = std::pair<uint32_t, uint32_t>;

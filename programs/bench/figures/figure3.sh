@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-# Fig. 3 of the paper, pictures of its four packings: programs/bench/figures/figure3.sh [BUILD [WORK [IMAGES]]].
-# Needs POV-Ray (Debian: povray). About four minutes, with the packings.
+# Fig. 3 of the paper, pictures of its four packings: programs/bench/figures/figure3.sh [BUILD [WORK [OUTPUT]]].
+# OUTPUT is the folder of the pictures. Needs POV-Ray (Debian: povray). About four minutes, with the packings.
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
 # shellcheck disable=SC2034  # systems.sh uses them
-build=${1:-build} work=${2:-figures-work} images=${3:-$here/../../docs/images}
+build=${1:-build} work=${2:-figures-work} output=${3:-$work}
 # shellcheck source=programs/bench/figures/systems.sh
 . "$here/systems.sh"
 command -v povray >/dev/null || { echo "povray is not there (apt-get install povray)" >&2; exit 1; }
@@ -15,7 +15,7 @@ edge=${HGRID_PICTURE_EDGE:-425}  # pixels
 for system in "mono 1" "two-sizes 10" "uniform-size 50" "uniform-volume 50"; do
   read -r law ratio <<<"$system"
   file=$(packing "$law" "$ratio" 125001)
-  scene=$work/$law.pov picture=$images/packing-$law.png
+  scene=$work/$law.pov picture=$output/packing-$law.png
   # All sizes of the uniform law are there in equal numbers: the logarithm would make nearly all of them light.
   options=()
   [[ $law != uniform-size ]] || options=(--linear)

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
 # Fig. 4 of the paper, slow-down against the number of levels: programs/bench/figures/figure4.sh [BUILD [WORK [OUTPUT]]].
-# OUTPUT is the folder of figure4.csv, the picture goes to docs/images. About twenty minutes, with the packings.
+# OUTPUT is the folder of figure4.csv and of the picture. About twenty minutes, with the packings.
 set -euo pipefail
 # shellcheck disable=SC2034  # systems.sh uses them
 build=${1:-build} work=${2:-figures-work} output=${3:-$work}
@@ -28,4 +28,4 @@ for law in "${laws[@]}"; do
   done
 done
 join "$output/figure4.csv" "${csvs[@]}"
-python3 "$here/../plot/figures.py" --output "$here/../../docs/images" "$output/figure4.csv"
+python3 "$here/../plot/figures.py" --output "$output" "$output/figure4.csv"

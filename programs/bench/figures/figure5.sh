@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
 # Fig. 5 of the paper, time relative to equal spheres against N: programs/bench/figures/figure5.sh [BUILD [WORK [OUTPUT [N...]]]].
-# OUTPUT is the folder of figure5.csv, the picture goes to docs/images. About ten minutes, with the packings, up to the
+# OUTPUT is the folder of figure5.csv and of the picture. About ten minutes, with the packings, up to the
 # default N of 125 001; above, growing the packings takes longer in proportion.
 set -euo pipefail
 # shellcheck disable=SC2034  # systems.sh uses them
@@ -32,4 +32,4 @@ for count in "${counts[@]}"; do
     --steps $((count < 60000 ? 12000000 / count : 100)) --repeats 5 --turn-seconds 1 --first-steps 5
 done
 join "$output/figure5.csv" "${csvs[@]}"
-python3 "$here/../plot/figures.py" --output "$here/../../docs/images" "$output/figure5.csv"
+python3 "$here/../plot/figures.py" --output "$output" "$output/figure5.csv"

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the plots of docs/benchmarks.md from what hgrid_compare --sweep has written:
+"""Draws the plots of docs/evidence/benchmarks.md from what hgrid_compare --sweep has written:
 
-    python3 programs/bench/plot/draw.py --output docs/images size.csv ratio.csv levels.csv threads.csv skin.csv
+    python3 programs/bench/plot/draw.py --output docs/evidence/images size.csv ratio.csv levels.csv threads.csv skin.csv
 
 One picture for each sweep in the files. Bands hold the middle half of the runs.
 """

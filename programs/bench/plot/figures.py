@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws Figs. 4 and 5 of Ogarko & Luding (2012) from what programs/bench/figures/figure4.sh and figure5.sh have measured:
 
-    python3 programs/bench/plot/figures.py --output docs/images figure4.csv figure5.csv
+    python3 programs/bench/plot/figures.py --output docs/evidence/images figure4.csv figure5.csv
 
-and prints the values that docs/reproduction.md quotes.
+and prints the values that docs/evidence/reproduction.md quotes.
 """
 
 import argparse

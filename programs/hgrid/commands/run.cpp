@@ -201,7 +201,8 @@ void run_scene(const RunOptions &options) {
 
 void add_run(CLI::App &parent) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App *command = parent.add_subcommand("run", "Simulate a scene (docs/simulation.md tells how to write one)");
+  CLI::App *command =
+      parent.add_subcommand("run", "Simulate a scene (docs/guide/simulation.md tells how to write one)");
   command->add_option("SCENE", options->scene, "The scene, a TOML file")->required();
   command->add_option("--restart", options->restart, "Go on from this checkpoint, to the same bits");
   command->add_option("--output", options->directory, "Folder for what is written, instead of the scene's");

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the pictures of docs/algorithm.md: python3 docs/images/draw.py writes the SVG files beside this script."""
+"""Draws the pictures of docs/theory/algorithm.md: python3 docs/theory/images/draw.py writes the SVG files beside this script."""
 
 import math
 import pathlib
