@@ -66,15 +66,16 @@ typedef struct hg_grid_def {
   const double *cell_sizes; /* USER: [level_count] ascending cell edges > 0, the last >= the largest diameter (largest
                                range for HG_MAX_RANGE) plus margin; copied by hg_create (NULL) */
   double margin;            /* added to every reach, >= 0, caller's length unit (0) */
-  double skin;              /* how far particles may move, growth of their radii included, two together, before
-                               stored candidates are searched anew, >= 0, length; 0 = search always. It changes the
-                               time, never the pairs; docs/evidence/performance.md says which to take (0) */
-  int32_t periodic[3];      /* per axis: 0 open, 1 periodic (0, 0, 0) */
-  int32_t reserved1;        /* 0 */
-  double box_min[3];        /* periodic axes: the box, needed. Open axes: particles may lie anywhere; a box with */
-  double box_max[3];        /* box_max > box_min only states the volume that the choice of levels reckons with (0) */
-  double cell_overhead;     /* K of Eq. 7: cost of visiting a cell over cost of testing a particle, >= 0 and finite;
-                               negative = 0.3 for PAPER; AUTO: reckons with the two prices below instead (-1) */
+  double skin;          /* >= 0, length: pairs this much farther apart are stored as candidates, which serve until one
+                           particle has moved plus grown by skin / 2; then all are searched anew. 0 = search always.
+                           It changes the time, never the pairs; docs/evidence/performance.md says which to take
+                           (0) */
+  int32_t periodic[3];  /* per axis: 0 open, 1 periodic (0, 0, 0) */
+  int32_t reserved1;    /* 0 */
+  double box_min[3];    /* periodic axes: the box, needed. Open axes: particles may lie anywhere; a box with */
+  double box_max[3];    /* box_max > box_min only states the volume that the choice of levels assumes (0) */
+  double cell_overhead; /* K of Eq. 7: cost of visiting a cell over cost of testing a particle, >= 0 and finite;
+                           negative = 0.3 for PAPER; AUTO: takes the two prices below instead (-1) */
   /* AUTO: what work costs, in units of testing one candidate; finite, negative = fitted on several machines' kernels;
      `hgrid calibrate` measures them. They change the levels and with them the time, never the pairs. */
   double level_price; /* one more level, per particle (-1) */
