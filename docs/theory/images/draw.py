@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the pictures of docs/theory/algorithm.md: python3 docs/theory/images/draw.py writes the SVG files beside this script."""
+"""Draws the pictures of docs/theory/algorithm.md: python3 docs/theory/images/draw.py --output docs/theory/images."""
 
+import argparse
 import math
 import pathlib
 import random
@@ -59,7 +60,7 @@ class Picture:
             f'font-weight="{weight}"{edge}>{words}</text>'
         )
 
-    def save(self, name):
+    def save(self, path):
         wide, high = self.width * self.scale, self.height * self.scale
         head = (
             "<!-- SPDX-FileCopyrightText: The libhgrid developers; SPDX-License-Identifier: BSD-3-Clause -->\n"
@@ -69,7 +70,6 @@ class Picture:
             f'orient="auto-start-reverse"><path d="M0 0 10 5 0 10z" fill="{INK}"/></marker></defs>\n'
             '<rect width="100%" height="100%" fill="#ffffff"/>\n'
         )
-        path = pathlib.Path(__file__).with_name(name)
         path.write_text(head + "\n".join(self.parts) + "\n</svg>\n", encoding="utf-8")
 
 
@@ -87,7 +87,7 @@ def floor_cell(x, y, size):
     return math.floor(x / size), math.floor(y / size)
 
 
-def draw_levels():
+def draw_levels(path):
     """Three levels of cells, each with the particles that they hold."""
     sizes, radii = (0.88, 2.2, 4.4), ((0.28, 0.36, 0.44), (0.6, 0.85, 1.1), (1.3, 1.7, 2.2))
     names = ("level 1, finest", "level 2", "level 3, coarsest")
@@ -113,7 +113,7 @@ def draw_levels():
         picture.text(
             left + side / 2, 0.8, f"{lower}2r ≤ s<tspan dy='3' font-size='10'>{h + 1}</tspan>", 16, MUTED
         )
-    picture.save("levels.svg")
+    picture.save(path)
 
 
 def example_particles(big):
@@ -125,7 +125,7 @@ def example_particles(big):
     return named, others
 
 
-def draw_example():
+def draw_example(path):
     """The two-level example: s = (3, 8), particle B with r = 4 at (10.3, 14.5)."""
     x, y, r, fine, coarse = 10.3, 14.5, 4.0, 3, 8
     reach = r + 0.5 * fine
@@ -159,7 +159,7 @@ def draw_example():
     for k in range(9):
         picture.text(fine * k, -0.9, str(fine * k), 12, MUTED)
         picture.text(-0.35, fine * k - 0.15, str(fine * k), 12, MUTED, "end")
-    picture.save("example.svg")
+    picture.save(path)
 
 
 def cell_range(low, high, length, count):
@@ -167,7 +167,7 @@ def cell_range(low, high, length, count):
     return max(0, math.floor(low / length)), min(count - 1, math.floor(high / length))
 
 
-def draw_rows():
+def draw_rows(path):
     """One level as libhgrid stores it: rows 2 s wide, cells 0.5 s long, and the ranges one particle looks through."""
     size, height, length, rows, cells = 2.0, 4.0, 1.0, 3, 20
     picture = Picture(24.2, 15.0, 36, -2.5, -2.1)
@@ -207,10 +207,10 @@ def draw_rows():
     picture.line(5, -0.4, 4, -0.4, INK, 1.2, arrow=True)
     picture.text(4.5, -0.95, "0.5 s", 13)
     picture.text(p[0], -1.55, "x →", 13, MUTED)
-    picture.save("rows.svg")
+    picture.save(path)
 
 
-def draw_images():
+def draw_images(path):
     """A periodic box with the images that reach into it: forward ones full, backward ones dashed."""
     edge, reach = 12.0, 3.0
     picture = Picture(20.4, 20.4, 26, -4.2, -4.2)
@@ -231,13 +231,20 @@ def draw_images():
                 forward = j > 0 or (j == 0 and i > 0)
                 colour = COARSE if number == 0 else FINE
                 picture.disc(a, b, r, "#ffffff", colour, 1.5, "" if forward else "4 3", 0.6)
-    picture.text(edge / 2, -3.7, "window of the search around the box", 13, MUTED, halo=True)
+    picture.text(edge / 2, -3.7, "within reach of the box", 13, MUTED, halo=True)
     picture.text(edge / 2, edge - 0.75, "box", 14, INK, weight="bold", halo=True)
-    picture.save("images.svg")
+    picture.save(path)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("."), help="folder of the pictures")
+    folder = parser.parse_args().output
+    draw_levels(folder / "levels.svg")
+    draw_example(folder / "example.svg")
+    draw_rows(folder / "rows.svg")
+    draw_images(folder / "images.svg")
 
 
 if __name__ == "__main__":
-    draw_levels()
-    draw_example()
-    draw_rows()
-    draw_images()
+    main()
