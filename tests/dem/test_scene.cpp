@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Scene files: what they mean, and what is refused with which words.
 #include "dem/engine/error.hpp"
-#include "dem/scene/keys.hpp"
 #include "dem/scene/scene.hpp"
 #include "dem/scene/suggestion.hpp"
 #include "dem/scene/units.hpp"
@@ -163,15 +162,6 @@ void words_are_compared_by_edits(void **) {
   assert_int_equal(scene::edit_distance("", "abc"), 3);
 }
 
-// Every key is told in docs/guide/simulation.md as the program prints it.
-bool docs_hold_the_reference() {
-  std::ifstream file(HGRID_SIMULATION_PAGE);
-  const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  return page.find(scene::key_reference()) != std::string::npos;
-}
-
-void docs_tell_every_key(void **) { assert_true(docs_hold_the_reference()); }
-
 }  // namespace
 
 int main() {
@@ -185,7 +175,6 @@ int main() {
       cmocka_unit_test(wrong_units_are_refused),
       cmocka_unit_test(a_scene_says_what_it_means),
       cmocka_unit_test(words_are_compared_by_edits),
-      cmocka_unit_test(docs_tell_every_key),
   };
   return cmocka_run_group_tests_name("scene", tests, nullptr, nullptr);
 }

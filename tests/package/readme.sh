@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-# Takes every fenced block of one language out of the README, builds it against the installed copy and runs it. A block
-# of language "text" right behind it holds what the program prints.
-# readme.sh README LANGUAGE WORK_DIR PKGCONFIG_DIR COMPILER_OR_PYTHON [PYTHON_MODULE_DIR]
+# Takes every fenced block of one language out of a page, builds it against the installed copy and runs it. A block of
+# language "text" right behind it holds what the program prints.
+# readme.sh PAGE LANGUAGE WORK_DIR PKGCONFIG_DIR COMPILER_OR_PYTHON [PYTHON_MODULE_DIR]
 set -eu
-readme=$1 language=$2 work=$3 compiler=$5
+page=$1 language=$2 work=$3 compiler=$5
 export PKG_CONFIG_PATH="$4"
 LD_LIBRARY_PATH=$(pkg-config --variable=libdir hgrid)
 export LD_LIBRARY_PATH PYTHONPATH="${6-}"
@@ -28,7 +28,7 @@ awk -v language="$language" -v work="$work" '
   }
   inside && /^```$/ { inside = 0; next }
   inside && file != "" { print > file }
-' "$readme"
+' "$page"
 
 # build_block SOURCE PROGRAM
 build_block() {
@@ -54,6 +54,6 @@ for block in "$work"/block_*."$language"; do
   fi
 done
 if [ "$found" -eq 0 ]; then
-  echo "$readme has no block of language $language"
+  echo "$page has no block of language $language"
   exit 1
 fi
