@@ -1,9 +1,9 @@
 #!/bin/bash
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-# hgrid accuracy as a user calls it, and the page made from it: command.sh HGRID PYTHON SOURCE.
+# hgrid accuracy as a user calls it: command.sh HGRID PYTHON.
 set -euo pipefail
-hgrid=$(realpath "$1") python=$2 source=$3
+hgrid=$(realpath "$1") python=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -51,10 +51,3 @@ printf 'knob,system,setting,number,error_of,error,ns,is_default,note\na,b,c,0,d,
 [[ $status == 1 ]] && grep -qF "wrong.csv:2: 'often' in column 'error' is not a number" err.txt
 "$hgrid" accuracy --quick --repeats 1 --knob prefilter --csv one.csv >out.txt 2>err.txt
 [[ $(cut -d, -f1 one.csv | sort -u | tr '\n' ' ') == "knob prefilter " ]]
-
-# The page and its picture hold what the recorded points say.
-"$hgrid" accuracy --from "$source/programs/bench/results/amd-epyc/accuracy.csv" --markdown --svg page.svg >page.md
-grep '^|' page.md | while read -r line; do
-  grep -qxF -- "$line" "$source/docs/accuracy.md" || { echo "docs/evidence/accuracy.md lacks: $line"; exit 1; }
-done
-diff <(grep -F '<circle' page.svg) <(grep -F '<circle' "$source/docs/evidence/images/accuracy.svg")
