@@ -4,8 +4,10 @@
 #include "packing/event/growth.hpp"
 
 #include "packing/event/spatial_order.hpp"
+#include "packing/portable_math.hpp"
 #include "packing/random.hpp"
 #include "particles/error.hpp"
+#include "particles/text/number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +18,6 @@
 namespace packing::event {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 // Growth of <r> over the thermal speed: what leaves a dense fluid time to relax, and what a dilute one bears.
 constexpr double kUsualRate = 0.01, kFastestRate = 0.1;
 constexpr double kLongestStep = 0.02;        // of the scale, before the rate is chosen anew
@@ -29,18 +30,6 @@ constexpr double kJammedPressure = 1e4;
 constexpr double kRetryDensity = 0.5;  // where tries start again
 constexpr double kRetrySlowdown = 4;
 
-double volume_of(const std::vector<double> &radii, int dimension) {
-  double sum = 0;
-  for (const double r : radii) sum += dimension == 2 ? r * r : r * r * r;
-  return (dimension == 2 ? kPi : 4 * kPi / 3) * sum;
-}
-
-double power(double base, int exponent) {
-  double result = 1;
-  for (int k = 0; k < exponent; k++) result *= base;
-  return result;
-}
-
 State random_points(const Box &box, const GrowthRequest &request) {
   State state;
   Random random(request.seed);
@@ -49,9 +38,9 @@ State random_points(const Box &box, const GrowthRequest &request) {
   state.scale = 0;
   for (size_t i = 0; i < state.count(); i++) {
     Vector center = Vector::Zero(), velocity = Vector::Zero();
-    for (int k = 0; k < box.dimension(); k++) {
-      center[k] = random.uniform() * box.edge(k);
-      velocity[k] = random.normal();
+    for (int axis = 0; axis < box.dimension(); axis++) {
+      center[axis] = random.uniform() * box.edge(axis);
+      velocity[axis] = random.normal();
     }
     state.centers.push_back(center);
     state.velocities.push_back(velocity);
@@ -68,9 +57,9 @@ class Growth {
         fluid_(request.radii, box.dimension()),
         target_(volume_of(request.radii, box.dimension()) / box.volume()),
         rate_(request.rate > 0 ? request.rate : kUsualRate / fluid_.mean_radius()) {
-    if (!(target_ < 1)) throw particles::Error("the particles fill " + std::to_string(target_) + " of the box");
+    if (!(target_ < 1)) throw particles::Error("the particles fill " + particles::text(target_) + " of the box");
     if (!(request.rate >= 0) || !std::isfinite(request.rate)) {
-      throw particles::Error("a growth rate of " + std::to_string(request.rate));
+      throw particles::Error("a growth rate of " + particles::text(request.rate));
     }
     energy_ = static_cast<double>(request.radii.size()) * box.dimension() / 2;  // kT = 1
     tabulate_work();

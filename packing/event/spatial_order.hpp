@@ -3,9 +3,9 @@
 // An order in which particles that are near in space stand near in memory.
 #pragma once
 
-#include "packing/event/box.hpp"
-#include "packing/event/vector.hpp"
+#include "packing/box.hpp"
 #include "packing/morton.hpp"
+#include "packing/vector.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -21,9 +21,9 @@ inline std::vector<size_t> spatial_order(const Box &box, const std::vector<Vecto
   places.reserve(points.size());
   for (const Vector &point : points) {
     uint32_t cell[3] = {0, 0, 0};
-    for (int k = 0; k < box.dimension(); k++) {
-      const double place = point[k] / box.edge(k) * (1 << kBits);
-      cell[k] = static_cast<uint32_t>(std::min(std::max(place, 0.0), (1 << kBits) - 1.0));
+    for (int axis = 0; axis < box.dimension(); axis++) {
+      const double place = point[axis] / box.edge(axis) * (1 << kBits);
+      cell[axis] = static_cast<uint32_t>(std::min(std::max(place, 0.0), (1 << kBits) - 1.0));
     }
     places.push_back(morton_place(cell, box.dimension(), kBits));
   }
