@@ -5,6 +5,7 @@
 
 #include "dem/engine/error.hpp"
 #include "packing/size_law.hpp"
+#include "particles/files/format.hpp"
 #include "particles/text/lists.hpp"
 
 #include <deque>
@@ -29,6 +30,13 @@ std::vector<Key> with_size_laws(const std::vector<Key> &others) {
   }
   keys.insert(keys.end(), others.begin(), others.end());
   return keys;
+}
+
+const char *format_list() {
+  std::string list;
+  for (const particles::Format &format : particles::all_formats())
+    list += std::string(list.empty() ? "" : ", ") + format.name + " (" + format.title + ")";
+  return kept(std::move(list));
 }
 
 }  // namespace
@@ -113,7 +121,7 @@ const std::vector<Key> &all_keys() {
 
       {"output", "directory", Kind::kText, kPure, "the scene's name + -output", "relative to where hgrid runs"},
       {"output", "every", Kind::kNumber, kTime, "none", "time between pictures of the state"},
-      {"output", "formats", Kind::kTexts, kPure, "vtp", "vtp (ParaView), xyz (OVITO, extended XYZ)"},
+      {"output", "formats", Kind::kTexts, kPure, "vtp", format_list()},
       {"output", "energy", Kind::kNumber, kTime, "a hundredth of the run", "time between the rows of energy.csv"},
       {"output", "checkpoint", Kind::kNumber, kTime, "none", "time between checkpoints; the last one stays"},
 

@@ -188,6 +188,13 @@ void scenes_take_every_law(void **) {
   assert_true(is_refused(packed("law = \"log-norml\""), ":2: particles.pack.law cannot be", "'log-normal'?"));
 }
 
+void outputs_take_every_format(void **) {
+  assert_true(read(basic + "[output]\nformats = [\"csv\", \"vtp\", \"lammps\"]\n").output.formats ==
+              (std::vector<std::string>{"csv", "vtp", "lammps"}));
+  assert_true(read(basic + "[output]\nevery = 1\n").output.formats == std::vector<std::string>{"vtp"});
+  assert_true(is_refused(basic + "[output]\nformats = [\"vtk\"]\n", ":10: output.formats cannot be 'vtk'"));
+}
+
 void words_are_compared_by_edits(void **) {
   assert_int_equal(scene::edit_distance("kitten", "sitting"), 3);
   assert_int_equal(scene::edit_distance("axse", "axes"), 1);
@@ -216,6 +223,7 @@ int main() {
       cmocka_unit_test(wrong_units_are_refused),
       cmocka_unit_test(a_scene_says_what_it_means),
       cmocka_unit_test(scenes_take_every_law),
+      cmocka_unit_test(outputs_take_every_format),
       cmocka_unit_test(words_are_compared_by_edits),
       cmocka_unit_test(docs_tell_every_key),
   };

@@ -34,6 +34,8 @@ for name in one.lammpstrj one.dump one.xyz one.extxyz; do
   works "${small[@]}" --output "$name"
   [ "$(contacts "$name")" = "$reported" ] || fault "$name has $(contacts "$name") contacts, not $reported"
 done
+works "${small[@]}" --output one.vtp
+grep -q 'NumberOfPoints="3000"' one.vtp || fault "one.vtp: $(head -c 300 one.vtp)"
 "$hgrid" "${small[@]}" --output - --format csv 2>err.txt | cmp -s - one.csv || fault "standard output is not the file"
 
 works pack --law two-sizes --count 2000 --dimension 2 --periodic xy --output disks.csv

@@ -78,17 +78,17 @@ packing::Request request_of(const PackOptions &options) {
   return request;
 }
 
-particles::Format format_of(const PackOptions &options) {
-  const std::optional<particles::Format> format =
+const particles::Format &format_of(const PackOptions &options) {
+  const particles::Format *format =
       options.format.empty() ? particles::format_of_name(options.output) : particles::format_of_word(options.format);
-  if (!format) {
+  if (format == nullptr) {
     throw CLI::ValidationError("--output", "'" + options.output + "' has no ending that tells a format: add --format");
   }
   return *format;
 }
 
 // The file appears under its name only when it is complete.
-void write_whole(const std::string &path, particles::Format format, const particles::ParticleSet &particles) {
+void write_whole(const std::string &path, const particles::Format &format, const particles::ParticleSet &particles) {
   if (path == "-") return particles::write_particles(path, format, particles);
   const std::string partial = path + ".partial-" + std::to_string(getpid());
   try {
@@ -136,7 +136,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void relax(const PackOptions &options, const packing::Request &request, particles::Format format) {
+void relax(const PackOptions &options, const packing::Request &request, const particles::Format &format) {
   const auto start = std::chrono::steady_clock::now();
   packing::Packing packing;
   {
@@ -171,7 +171,7 @@ void report_early_end(const PackOptions &options, const packing::event::GrowthRe
                          options.output + " holds its state, without overlaps" + advice);
 }
 
-void grow(const PackOptions &options, const packing::Request &request, particles::Format format) {
+void grow(const PackOptions &options, const packing::Request &request, const particles::Format &format) {
   const auto start = std::chrono::steady_clock::now();
   packing::event::GrownPacking packing;
   {
@@ -190,7 +190,7 @@ void grow(const PackOptions &options, const packing::Request &request, particles
 
 void run_pack(const PackOptions &options) {
   const packing::Request request = request_of(options);
-  particles::Format format = format_of(options);
+  const particles::Format &format = format_of(options);
   if (options.method == "event") {
     grow(options, request, format);
   } else {
@@ -217,6 +217,18 @@ void add_law_options(CLI::App &command, PackOptions &options) {
     command.add_option(std::string("--") + parameter.name, options.law_values[k],
                        packing::describe(parameter) + " (" + packing::usual_values(parameter) + ")");
   }
+}
+
+void add_output_options(CLI::App &command, PackOptions &options) {
+  const std::vector<particles::Format> &formats = particles::all_formats();
+  std::string endings;
+  for (const particles::Format &format : formats) endings += std::string(format.endings) + " ";
+  command.add_option("-o,--output", options.output, "File to write: " + endings + "or - for standard output")
+      ->required();
+  command
+      .add_option("--format", options.format,
+                  particles::joined(particles::names_of(formats), " or ") + " (by the file's ending)")
+      ->check(CLI::IsMember(particles::names_of(formats)));
 }
 
 }  // namespace
@@ -252,12 +264,7 @@ void add_pack(CLI::App &parent) {
                       "mean radius)");
   command->add_option("--dimension", request.law.dimension, "2 (disks) or 3 (spheres)")->capture_default_str();
   command->add_option("--periodic", options->periodic, "Axes without walls, e.g. xy (none)");
-  command
-      ->add_option("-o,--output", options->output,
-                   "File to write, .csv, .lammpstrj, .dump, .xyz or .extxyz; - for standard output")
-      ->required();
-  command->add_option("--format", options->format, "csv, lammps or xyz (by the file's ending)")
-      ->check(CLI::IsMember({"csv", "lammps", "xyz"}));
+  add_output_options(*command, *options);
   command->callback([options] { run_pack(*options); });
 }
 
