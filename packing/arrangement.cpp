@@ -22,32 +22,28 @@ constexpr double kShellOutside = kShellRadius + 0.5 * kShellThickness;
 constexpr double kCrowdedVolume = 0.01;
 constexpr double kCrowdedShare = 0.99;  // of the particles
 
-double whole_box(int) { return 1; }
-
 // The volume in which all would fit at the density of the middles. Plummer: n(0) = N / (4/3 pi b^3). In two dimensions
 // it is seen along an axis: n(0) = N / (pi b^2).
 double share_of_clusters(int dimension) { return kClusters * unit_ball(dimension) * power(kClusterRadius, dimension); }
-
-double share_of_film(int) { return kFilmThickness; }
 
 double share_of_shell(int dimension) {
   return unit_ball(dimension) * (power(kShellOutside, dimension) - power(kShellInside, dimension));
 }
 
-double share_of_crowd(int) { return kCrowdedVolume; }
-
 }  // namespace
 
 const std::vector<ArrangementRow> &arrangements() {
   static const std::vector<ArrangementRow> rows = {
-      {Arrangement::kEven, "even", "the whole box", whole_box, &Thrower::everywhere},
+      {Arrangement::kEven, "even", "the whole box", [](int) { return 1.0; }, &Thrower::everywhere},
       {Arrangement::kClusters, "clusters",
        "20 Plummer spheres, n(r) ~ (1 + (r/b)^2)^(-5/2), b = 0.02 edges; the density is that of their middles",
        share_of_clusters, &Thrower::into_clusters},
-      {Arrangement::kFilm, "film", "a layer of 0.05 edges normal to the last axis", share_of_film, &Thrower::into_film},
+      {Arrangement::kFilm, "film", "a layer of 0.05 edges normal to the last axis", [](int) { return kFilmThickness; },
+       &Thrower::into_film},
       {Arrangement::kShell, "shell", "a hollow sphere (ring) of radius 0.4 and thickness 0.02 edges", share_of_shell,
        &Thrower::into_shell},
-      {Arrangement::kCrowded, "crowded", "99 % in a corner of 1 % of the box", share_of_crowd, &Thrower::into_crowd}};
+      {Arrangement::kCrowded, "crowded", "99 % in a corner of 1 % of the box", [](int) { return kCrowdedVolume; },
+       &Thrower::into_crowd}};
   return rows;
 }
 

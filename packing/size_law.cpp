@@ -5,34 +5,28 @@
 
 #include "packing/portable_math.hpp"
 #include "particles/error.hpp"
+#include "particles/text/lists.hpp"
 #include "particles/text/number.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace packing {
 namespace {
 
 using particles::text;
 
-constexpr LawParameter kRatio = {"ratio",
-                                 &SizeLaw::ratio,
-                                 "largest over smallest radius",
-                                 "1 to 1e6",
-                                 [](double omega) { return omega >= 1 && omega <= 1e6; },
-                                 false};
-constexpr LawParameter kExponent = {"exponent",
-                                    &SizeLaw::exponent,
-                                    "a of p(r) ~ r^-a",
-                                    "a whole number, 2 to 9",
-                                    [](double a) { return a >= 2 && a <= 9 && a == std::floor(a); },
+constexpr double kAboveZero = std::numeric_limits<double>::denorm_min();
+constexpr LawParameter kRatio = {"ratio", &SizeLaw::ratio, "largest over smallest radius", "1 to 1e6", 1, 1e6};
+constexpr LawParameter kExponent = {"exponent", &SizeLaw::exponent, "a of p(r) ~ r^-a", "a whole number, 2 to 9", 2, 9,
                                     true};
-constexpr LawParameter kSigma = {"sigma",
-                                 &SizeLaw::sigma,
-                                 "standard deviation of ln r",
-                                 "above 0 and up to 3",
-                                 [](double sigma) { return sigma > 0 && sigma <= 3; },
-                                 false};
+constexpr LawParameter kSigma = {
+    "sigma", &SizeLaw::sigma, "standard deviation of ln r", "above 0 and up to 3", kAboveZero, 3};
+
+bool is_allowed(const LawParameter &parameter, double value) {
+  return value >= parameter.least && value <= parameter.most && (!parameter.is_whole || value == std::floor(value));
+}
 
 // The f at which particle i is sampled.
 double share_below(size_t i, size_t count, double u) {
@@ -87,13 +81,12 @@ const TakenParameter *taken_by(const LawRow &row, const LawParameter &parameter)
   return nullptr;
 }
 
-// The names of all laws, or of those to which a parameter can be given.
-std::string names_of_laws(const LawParameter *parameter) {
-  std::string names;
+// Those that a parameter can be given to.
+std::vector<std::string> names_of_takers(const LawParameter &parameter) {
+  std::vector<std::string> names;
   for (const LawRow &row : size_laws()) {
-    const TakenParameter *taken = parameter != nullptr ? taken_by(row, *parameter) : nullptr;
-    if (parameter != nullptr && (taken == nullptr || taken->is_fixed)) continue;
-    names += (names.empty() ? "" : ", ") + std::string(row.name);
+    const TakenParameter *taken = taken_by(row, parameter);
+    if (taken != nullptr && !taken->is_fixed) names.emplace_back(row.name);
   }
   return names;
 }
@@ -143,7 +136,8 @@ SizeLaw usual_law(const std::string &name) {
     for (const TakenParameter &taken : row.takes) law.*taken.parameter->value = taken.usual;
     return law;
   }
-  throw particles::Error("no size law is called '" + name + "': use one of " + names_of_laws(nullptr));
+  throw particles::Error("no size law is called '" + name + "': use one of " +
+                         particles::joined(particles::names_of(size_laws())));
 }
 
 SizeLaw law_with(const std::string &name, double value) {
@@ -157,7 +151,8 @@ SizeLaw law_with(const std::string &name, double value) {
 std::string set_parameter(SizeLaw &law, const LawParameter &parameter, double value) {
   const LawRow &row = row_of(law.law);
   const TakenParameter *taken = taken_by(row, parameter);
-  if (taken == nullptr) return "is for " + names_of_laws(&parameter) + ", not for the law " + row.name;
+  if (taken == nullptr)
+    return "is for " + particles::joined(names_of_takers(parameter)) + ", not for the law " + row.name;
   if (taken->is_fixed && value != taken->usual)
     return "is " + text(taken->usual) + " for the law " + row.name + ", not " + text(value);
   law.*parameter.value = value;
@@ -168,16 +163,15 @@ std::string law_fault(const SizeLaw &law, size_t count) {
   const LawRow &row = row_of(law.law);
   for (const TakenParameter &taken : row.takes) {
     const double value = law.*taken.parameter->value;
-    if (!taken.parameter->is_allowed(value))
-      return std::string("the ") + taken.parameter->name + " is " + taken.parameter->allowed + ", not " + text(value);
+    if (!is_allowed(*taken.parameter, value))
+      return std::string("the ") + taken.parameter->name + " is " + taken.parameter->range + ", not " + text(value);
   }
   return row.fault(law, count);
 }
 
 std::string describe(const LawParameter &parameter) {
-  const std::string names = names_of_laws(&parameter);
-  const bool is_of_one_law = names.find(',') == std::string::npos;
-  return (is_of_one_law ? names + ": " : "") + parameter.meaning + ", " + parameter.allowed;
+  const std::vector<std::string> takers = names_of_takers(parameter);
+  return (takers.size() == 1 ? takers.front() + ": " : "") + parameter.meaning + ", " + parameter.range;
 }
 
 std::string usual_values(const LawParameter &parameter) {

@@ -26,9 +26,9 @@ struct LawParameter {
   const char *name;
   double SizeLaw::*value;
   const char *meaning;
-  const char *allowed;  // the values, in words
-  bool (*is_allowed)(double value);
-  bool is_whole;  // number
+  const char *range;  // in words
+  double least, most;
+  bool is_whole = false;  // number
 };
 
 // What a law takes.

@@ -8,6 +8,7 @@
 #include "dem/scene/units.hpp"
 #include "packing/size_law.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
+#include "tests/particles/page.hpp"
 
 #include <unistd.h>
 
@@ -201,14 +202,8 @@ void words_are_compared_by_edits(void **) {
   assert_int_equal(scene::edit_distance("", "abc"), 3);
 }
 
-// Every key is told in docs/simulation.md as the program prints it.
-bool docs_hold_the_reference() {
-  std::ifstream file(HGRID_SIMULATION_PAGE);
-  const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  return page.find(scene::key_reference()) != std::string::npos;
-}
-
-void docs_tell_every_key(void **) { assert_true(docs_hold_the_reference()); }
+// In docs/simulation.md, as the program prints it.
+void docs_tell_every_key(void **) { assert_true(test::page_has(HGRID_SIMULATION_PAGE, scene::key_reference())); }
 
 }  // namespace
 
