@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzzes the reader FUZZ_READER of particles/files: any bytes are read as particles that a grid may take, or refused
-// with a text.
+// Fuzzes the reader of the format FUZZ_FORMAT of particles/files: any bytes are read as particles that a grid may take,
+// or refused with a text.
+#include "particles/files/reader.hpp"
+
 #include "fuzz/expect.hpp"
 #include "particles/error.hpp"
-#include "particles/files/readers.hpp"
+#include "particles/text/text_file.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -37,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   options.frame = data[0] / 4 % 4;
   const particles::TextFile file{"input", std::string(data + 1, data + size)};
   try {
-    check(particles::FUZZ_READER(file, options));
+    check(particles::format_of_word(FUZZ_FORMAT)->read(file, options));
   } catch (const particles::Error &error) {
     expect(error.what()[0] != '\0', "a refusal without a text");
   }

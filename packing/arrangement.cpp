@@ -4,132 +4,134 @@
 #include "packing/arrangement.hpp"
 
 #include "packing/portable_math.hpp"
+#include "particles/error.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <stdexcept>
 
 namespace packing {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 constexpr int kClusters = 20;
 constexpr double kClusterRadius = 0.02;  // b; lengths in edges of the box
 constexpr double kFilmThickness = 0.05;
 constexpr double kShellRadius = 0.4;  // to the middle of the shell
 constexpr double kShellThickness = 0.02;
+constexpr double kShellInside = kShellRadius - 0.5 * kShellThickness;
+constexpr double kShellOutside = kShellRadius + 0.5 * kShellThickness;
 constexpr double kCrowdedVolume = 0.01;
 constexpr double kCrowdedShare = 0.99;  // of the particles
 
+// The volume in which all would fit at the density of the middles. Plummer: n(0) = N / (4/3 pi b^3). In two dimensions
+// it is seen along an axis: n(0) = N / (pi b^2).
+double share_of_clusters(int dimension) { return kClusters * unit_ball(dimension) * power(kClusterRadius, dimension); }
+
+double share_of_shell(int dimension) {
+  return unit_ball(dimension) * (power(kShellOutside, dimension) - power(kShellInside, dimension));
+}
+
 }  // namespace
 
-const char *const kArrangementNames[5] = {"even", "clusters", "film", "shell", "crowded"};
+const std::vector<ArrangementRow> &arrangements() {
+  static const std::vector<ArrangementRow> rows = {
+      {Arrangement::kEven, "even", "the whole box", [](int) { return 1.0; }, &Thrower::everywhere},
+      {Arrangement::kClusters, "clusters",
+       "20 Plummer spheres, n(r) ~ (1 + (r/b)^2)^(-5/2), b = 0.02 edges; the density is that of their middles",
+       share_of_clusters, &Thrower::into_clusters},
+      {Arrangement::kFilm, "film", "a layer of 0.05 edges normal to the last axis", [](int) { return kFilmThickness; },
+       &Thrower::into_film},
+      {Arrangement::kShell, "shell", "a hollow sphere (ring) of radius 0.4 and thickness 0.02 edges", share_of_shell,
+       &Thrower::into_shell},
+      {Arrangement::kCrowded, "crowded", "99 % in a corner of 1 % of the box", [](int) { return kCrowdedVolume; },
+       &Thrower::into_crowd}};
+  return rows;
+}
+
+const ArrangementRow &row_of(Arrangement arrangement) {
+  return *std::find_if(arrangements().begin(), arrangements().end(),
+                       [&](const ArrangementRow &row) { return row.arrangement == arrangement; });
+}
 
 Arrangement arrangement_from_name(const std::string &name) {
-  const auto *const found = std::find(std::begin(kArrangementNames), std::end(kArrangementNames), name);
-  if (found != std::end(kArrangementNames)) return static_cast<Arrangement>(found - std::begin(kArrangementNames));
-  throw std::invalid_argument("no arrangement is called '" + name + "'");
+  for (const ArrangementRow &row : arrangements())
+    if (row.name == name) return row.arrangement;
+  throw particles::Error("no arrangement is called '" + name + "'");
 }
 
-double volume_share(Arrangement arrangement, int dimension) {
-  constexpr double kInner = kShellRadius - 0.5 * kShellThickness, kOuter = kShellRadius + 0.5 * kShellThickness;
-  const double unit_ball = dimension == 2 ? kPi : 4 * kPi / 3;
-  switch (arrangement) {
-    case Arrangement::kClusters:
-      // Plummer: n(0) = N / (4/3 pi b^3). In two dimensions it is seen along an axis: n(0) = N / (pi b^2).
-      return kClusters * unit_ball * power(kClusterRadius, dimension);
-    case Arrangement::kFilm:
-      return kFilmThickness;
-    case Arrangement::kShell:
-      return unit_ball * (power(kOuter, dimension) - power(kInner, dimension));
-    case Arrangement::kCrowded:
-      return kCrowdedVolume;
-    case Arrangement::kEven:
-      break;
+Thrower::Thrower(Arrangement arrangement, const Box &box, Random &random)
+    : draw_(row_of(arrangement).draw), box_(box), random_(random) {}
+
+void Thrower::operator()(double radius, double *center) {
+  (this->*draw_)(radius, center);
+  for (int axis = 0; axis < box_.dimension(); axis++) center[axis] = box_.keep(axis, center[axis], radius);
+}
+
+void Thrower::everywhere(double radius, double *center) {
+  for (int axis = 0; axis < box_.dimension(); axis++) {
+    const double low = box_.is_periodic(axis) ? 0 : radius;
+    const double high = box_.is_periodic(axis) ? box_.edge(axis) : box_.edge(axis) - radius;
+    center[axis] = low + random_.uniform() * (high - low);
   }
-  return 1;
-}
-
-Thrower::Thrower(Arrangement arrangement, const Container &container, packing::Random &random)
-    : arrangement_(arrangement), container_(container), random_(random) {
-  if (arrangement != Arrangement::kClusters) return;
-  clusters_.resize(kClusters);
-  for (std::array<double, 3> &center : clusters_) {
-    for (double &x : center) x = container.edge * (0.1 + 0.8 * random.uniform());
-  }
-}
-
-double Thrower::even(int axis, double radius) {
-  const bool periodic = container_.periodic[static_cast<size_t>(axis)];
-  const double low = periodic ? 0 : radius;
-  const double high = periodic ? container_.edge : container_.edge - radius;
-  return low + random_.uniform() * (high - low);
 }
 
 // A unit vector, all directions alike.
-void Thrower::draw_direction(double *direction) {
-  double square = 0;
+Vector Thrower::draw_direction() {
+  Vector direction;
   do {
-    square = 0;
-    for (int k = 0; k < 3; k++) {
-      direction[k] = 2 * random_.uniform() - 1;
-      square += direction[k] * direction[k];
-    }
-  } while (square > 1 || square < 1e-6);
-  for (int k = 0; k < 3; k++) direction[k] /= std::sqrt(square);
+    for (double &component : direction) component = 2 * random_.uniform() - 1;
+  } while (square(direction) > 1 || square(direction) < 1e-6);
+  return direction / std::sqrt(square(direction));
 }
 
 // False if the place is outside the box: the density has no end.
-bool Thrower::in_cluster(double *center) {
-  const std::array<double, 3> &middle = clusters_[random_.below(clusters_.size())];
-  double direction[3];
-  draw_direction(direction);
+bool Thrower::in_cluster(const std::array<double, 3> &middle, double *center) {
+  const Vector direction = draw_direction();
   // The share within r is (1 + (b/r)^2)^(-3/2): Aarseth, Henon & Wielen, Astron. Astrophys. 37 (1974) 183.
   const double within = root(1 - random_.uniform(), 3);
-  const double square = 1 / (within * within) - 1;
-  if (!(square > 0)) return false;
-  const double distance = kClusterRadius * container_.edge / std::sqrt(square);
+  const double inverse_square = 1 / (within * within) - 1;  // (b/r)^2
+  if (!(inverse_square > 0)) return false;
+  const double distance = kClusterRadius * box_.edge(0) / std::sqrt(inverse_square);
   bool inside = true;
-  for (int k = 0; k < container_.dimension; k++) {
-    center[k] = middle[static_cast<size_t>(k)] + distance * direction[k];
-    inside = inside && center[k] >= 0 && center[k] < container_.edge;
+  for (int axis = 0; axis < box_.dimension(); axis++) {
+    center[axis] = middle[static_cast<size_t>(axis)] + distance * direction[axis];
+    inside = inside && center[axis] >= 0 && center[axis] < box_.edge(axis);
   }
   return inside;
 }
 
-void Thrower::in_shell(double *center) {
-  constexpr double kOuter = kShellRadius + 0.5 * kShellThickness;
-  constexpr double kShare = 1 - kShellThickness / kOuter;
+void Thrower::into_clusters(double, double *center) {
+  while (clusters_.size() < kClusters) {
+    std::array<double, 3> &middle = clusters_.emplace_back();
+    for (double &x : middle) x = box_.edge(0) * (0.1 + 0.8 * random_.uniform());
+  }
+  while (!in_cluster(clusters_[random_.below(clusters_.size())], center)) continue;
+}
+
+void Thrower::into_film(double radius, double *center) {
+  everywhere(radius, center);
+  const int last = box_.dimension() - 1;
+  center[last] = box_.edge(last) * (0.5 + kFilmThickness * (random_.uniform() - 0.5));
+}
+
+void Thrower::into_shell(double, double *center) {
+  constexpr double kHollow = 1 - kShellThickness / kShellOutside;  // the inner radius over the outer one
   double square = 0;
   do {
     square = 0;
-    for (int k = 0; k < container_.dimension; k++) {
-      center[k] = 2 * random_.uniform() - 1;
-      square += center[k] * center[k];
+    for (int axis = 0; axis < box_.dimension(); axis++) {
+      center[axis] = 2 * random_.uniform() - 1;
+      square += center[axis] * center[axis];
     }
-  } while (square > 1 || square < kShare * kShare);
-  for (int k = 0; k < container_.dimension; k++) center[k] = container_.edge * (0.5 + kOuter * center[k]);
+  } while (square > 1 || square < kHollow * kHollow);
+  for (int axis = 0; axis < box_.dimension(); axis++)
+    center[axis] = box_.edge(axis) * (0.5 + kShellOutside * center[axis]);
 }
 
-void Thrower::operator()(double radius, double *center) {
-  const int last = container_.dimension - 1;
-  const bool crowd = arrangement_ == Arrangement::kCrowded && random_.uniform() < kCrowdedShare;
-  if (arrangement_ == Arrangement::kClusters) {
-    while (!in_cluster(center)) continue;
-  } else if (arrangement_ == Arrangement::kShell) {
-    in_shell(center);
-  } else {
-    for (int k = 0; k <= last; k++) center[k] = even(k, radius);
-  }
-  if (arrangement_ == Arrangement::kFilm) {
-    center[last] = container_.edge * (0.5 + kFilmThickness * (random_.uniform() - 0.5));
-  }
-  if (crowd) {
-    for (int k = 0; k <= last; k++) center[k] *= root(kCrowdedVolume, container_.dimension);
-  }
-  for (int k = 0; k <= last; k++) center[k] = container_.keep(k, center[k], radius);
+void Thrower::into_crowd(double radius, double *center) {
+  const bool crowd = random_.uniform() < kCrowdedShare;
+  everywhere(radius, center);
+  if (!crowd) return;
+  for (int axis = 0; axis < box_.dimension(); axis++) center[axis] *= root(kCrowdedVolume, box_.dimension());
 }
 
 }  // namespace packing

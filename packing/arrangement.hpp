@@ -3,7 +3,7 @@
 // Where in the box particles are thrown: evenly, or as unevenly as nature may have it.
 #pragma once
 
-#include "packing/container.hpp"
+#include "packing/box.hpp"
 #include "packing/random.hpp"
 
 #include <array>
@@ -12,42 +12,48 @@
 
 namespace packing {
 
-enum class Arrangement {
-  kEven,      // the whole box
-  kClusters,  // 20 clusters of Plummer's density (1 + (r/b)^2)^(-5/2), b = 0.02 edges
-  kFilm,      // a layer of 0.05 edges normal to the last axis
-  kShell,     // a hollow sphere (ring) about the centre of the box, radius 0.4 edges, thickness 0.02 edges
-  kCrowded    // 99 % in a corner of 1 % of the box
-};
+enum class Arrangement { kEven, kClusters, kFilm, kShell, kCrowded };
 
-// The names that arrangement_from_name knows, in the order of the enum.
-extern const char *const kArrangementNames[5];
-
-// Throws std::invalid_argument naming it if there is no such arrangement.
-Arrangement arrangement_from_name(const std::string &name);
-
-// The share of the box that particles are thrown into: a density is understood to be that in this part. For clusters,
-// the volume in which they would fit at the density of their middles.
-double volume_share(Arrangement arrangement, int dimension);
-
-// Draws centres. Clusters get their places from `random` first.
+// Draws centres. Each arrangement has its own way, a member whose centres may still be too near to a wall.
 class Thrower {
  public:
-  Thrower(Arrangement arrangement, const Container &container, packing::Random &random);
+  // `box` and `random` must outlive the thrower.
+  Thrower(Arrangement arrangement, const Box &box, Random &random);
 
   // A centre in the box, no nearer to a wall than `radius`.
   void operator()(double radius, double *center);
 
- private:
-  double even(int axis, double radius);
-  void draw_direction(double *direction);
-  bool in_cluster(double *center);
-  void in_shell(double *center);
+  void everywhere(double radius, double *center);
+  void into_clusters(double radius, double *center);
+  void into_film(double radius, double *center);
+  void into_shell(double radius, double *center);
+  void into_crowd(double radius, double *center);
 
-  Arrangement arrangement_;
-  const Container &container_;
-  packing::Random &random_;
-  std::vector<std::array<double, 3>> clusters_;
+ private:
+  Vector draw_direction();
+  bool in_cluster(const std::array<double, 3> &middle, double *center);
+
+  void (Thrower::*draw_)(double radius, double *center);
+  const Box &box_;
+  Random &random_;
+  std::vector<std::array<double, 3>> clusters_;  // their middles, drawn when the first particle is thrown
 };
+
+struct ArrangementRow {
+  Arrangement arrangement;
+  const char *name;    // the word of `hgrid pack --arrangement`
+  const char *places;  // where particles are, in words
+  // The share of the box that particles are thrown into: a density is understood to be that in this part.
+  double (*share)(int dimension);
+  void (Thrower::*draw)(double radius, double *center);
+};
+
+// All arrangements: what is offered, described and thrown comes from here.
+const std::vector<ArrangementRow> &arrangements();
+
+const ArrangementRow &row_of(Arrangement arrangement);
+
+// Throws particles::Error naming it if there is no such arrangement.
+Arrangement arrangement_from_name(const std::string &name);
 
 }  // namespace packing

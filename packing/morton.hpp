@@ -14,7 +14,7 @@ namespace packing {
 inline uint64_t morton_place(const uint32_t *cell, int dimension, int bits) {
   uint64_t place = 0;
   for (int bit = 0; bit < bits; bit++) {
-    for (int k = 0; k < dimension; k++) place |= uint64_t{cell[k] >> bit & 1u} << (dimension * bit + k);
+    for (int axis = 0; axis < dimension; axis++) place |= uint64_t{cell[axis] >> bit & 1u} << (dimension * bit + axis);
   }
   return place;
 }

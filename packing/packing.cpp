@@ -5,35 +5,28 @@
 
 #include "packing/placement.hpp"
 #include "particles/error.hpp"
+#include "particles/text/number.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
+#include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace packing {
 namespace {
 
-std::string text(double number) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.10g", number);
-  return buffer;
-}
+using particles::text;
 
 // Ids are 32-bit numbers.
 constexpr size_t kMostParticles = std::numeric_limits<int32_t>::max();
 
-void check_box(const Request &request, double edge, double largest_radius) {
-  const bool any_wall = !std::all_of(request.periodic.begin(), request.periodic.begin() + request.law.dimension,
-                                     [](bool p) { return p; });
-  if (any_wall && edge < 2 * largest_radius) {
+void check_box(const Box &box, double largest_radius) {
+  const double edge = box.edge(0);
+  if (box.any_wall() && edge < 2 * largest_radius) {
     throw particles::Error("the box (edge " + text(edge) + ") is smaller than the largest particle (diameter " +
                            text(2 * largest_radius) + "): raise the count or lower the density");
   }
-  const bool any_periodic =
-      std::any_of(request.periodic.begin(), request.periodic.begin() + request.law.dimension, [](bool p) { return p; });
-  if (any_periodic && edge < 4 * largest_radius) {
+  if (box.any_periodic() && edge < 4 * largest_radius) {
     throw particles::Error("the periodic box (edge " + text(edge) + ") is shorter than two of the largest diameter (" +
                            text(2 * largest_radius) + "): raise the count or lower the density");
   }
@@ -53,51 +46,37 @@ void check_request(const Request &request) {
   if (!(request.density > 0) || !(request.density < 1)) {
     throw particles::Error("the density lies between 0 and 1, not at " + text(request.density));
   }
-  if (!(law.ratio >= 1) || !(law.ratio <= 1e6)) {
-    throw particles::Error("the ratio of the largest to the smallest radius is 1 to 1e6, not " + text(law.ratio));
-  }
   if (!(request.offset >= 0) || !(request.offset < 1)) {
     throw particles::Error("the offset of the sampling lies in [0, 1), not at " + text(request.offset));
   }
   if (request.sweeps < 0) {
     throw particles::Error("the number of sweeps cannot be negative: " + std::to_string(request.sweeps));
   }
-  if (law.exponent < 2 || law.exponent > 9) {
-    throw particles::Error("the exponent of a power law is 2 to 9, not " + std::to_string(law.exponent));
-  }
-  if (!(law.sigma > 0) || !(law.sigma <= 3)) {
-    throw particles::Error("the deviation sigma lies above 0 and up to 3, not at " + text(law.sigma));
-  }
-  if (law.law == Law::kTwoSizes) {
-    const size_t large = large_count(law, request.count);
-    if (large == 0 || large == request.count) {
-      throw particles::Error("two sizes of ratio " + text(law.ratio) + " and equal volume need more than " +
-                             std::to_string(request.count) + " particles");
-    }
-  }
+  const std::string fault = law_fault(law, request.count);
+  if (!fault.empty()) throw particles::Error(fault);
 }
 
 Beginning begin_packing(const Request &request) {
   check_request(request);
-  Beginning beginning{{}, {}, packing::Random(request.seed)};
-  const double u = request.random_offset ? beginning.random.uniform() : request.offset;
-  beginning.radii = sample_radii(request.law, request.count, u);
-  beginning.container.dimension = request.law.dimension;
-  beginning.container.periodic = request.periodic;
-  const double density = request.density * volume_share(request.arrangement, request.law.dimension);
-  beginning.container.edge = box_edge(beginning.radii, density, request.law.dimension);
-  check_box(request, beginning.container.edge, beginning.radii.back());
-  packing::shuffle(beginning.radii, beginning.random);
-  return beginning;
+  const int dimension = request.law.dimension;
+  Random random(request.seed);
+  std::vector<double> radii =
+      sample_radii(request.law, request.count, request.random_offset ? random.uniform() : request.offset);
+  const double density = request.density * row_of(request.arrangement).share(dimension);
+  const double edge = box_edge(radii, density, dimension);
+  const Box box(dimension, Vector::Constant(edge), request.periodic);
+  check_box(box, radii.back());
+  shuffle(radii, random);
+  return {box, std::move(radii), random};
 }
 
 Packing make_packing(const Request &request, const SweepObserver &observe) {
   Beginning beginning = begin_packing(request);
   Packing packing;
-  packing.particles = beginning.container.empty_set();
+  packing.particles = beginning.box.empty_set();
   packing.particles.radii = std::move(beginning.radii);
-  place_at_random(beginning.container, request.arrangement, beginning.random, packing.particles);
-  packing.overlaps = relax(beginning.container, request.sweeps, observe, packing.particles);
+  place_at_random(beginning.box, request.arrangement, beginning.random, packing.particles);
+  packing.overlaps = relax(beginning.box, request.sweeps, observe, packing.particles);
   return packing;
 }
 

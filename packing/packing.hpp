@@ -37,9 +37,9 @@ void check_request(const Request &request);
 
 // What a packing is made from.
 struct Beginning {
-  Container container;
+  Box box;
   std::vector<double> radii;  // in random order
-  packing::Random random;     // for all that follows
+  Random random;              // for all that follows
 };
 
 // Checks the request, samples the radii and sets up the box. Throws particles::Error also where the box is smaller than

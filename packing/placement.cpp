@@ -47,16 +47,15 @@ void place_class(Thrower &thrower, particles::Grid &larger, const std::vector<do
 
 }  // namespace
 
-void place_at_random(const Container &container, Arrangement arrangement, packing::Random &random,
-                     particles::ParticleSet &set) {
-  Thrower thrower(arrangement, container, random);
-  set.centers.assign(set.count() * static_cast<size_t>(container.dimension), 0.0);
+void place_at_random(const Box &box, Arrangement arrangement, Random &random, particles::ParticleSet &set) {
+  Thrower thrower(arrangement, box, random);
+  set.centers.assign(set.count() * static_cast<size_t>(box.dimension()), 0.0);
   std::vector<size_t> order(set.count());
   std::iota(order.begin(), order.end(), size_t{0});
   std::stable_sort(order.begin(), order.end(), [&set](size_t a, size_t b) { return set.radii[a] > set.radii[b]; });
 
-  particles::ParticleSet placed = container.empty_set();
-  const hg_grid_def def = grid_def(container);
+  particles::ParticleSet placed = box.empty_set();
+  const hg_grid_def def = grid_def(box);
   for (auto first = order.begin(); first != order.end();) {
     const double smallest = set.radii[*first] / kClassRatio;
     const auto last = std::find_if(first, order.end(), [&](size_t i) { return set.radii[i] < smallest; });
@@ -65,10 +64,10 @@ void place_at_random(const Container &container, Arrangement arrangement, packin
     particles::Grid larger(def);
     larger.insert(placed);
     place_class(thrower, larger, radii, placed);
-    if (last != order.end()) relax(container, kClassSweeps, nullptr, placed);
+    if (last != order.end()) relax(box, kClassSweeps, nullptr, placed);
     first = last;
   }
-  const size_t d = static_cast<size_t>(container.dimension);
+  const size_t d = static_cast<size_t>(box.dimension());
   for (size_t k = 0; k < order.size(); k++) {
     std::copy_n(&placed.centers[k * d], d, &set.centers[order[k] * d]);
   }

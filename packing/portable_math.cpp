@@ -32,12 +32,30 @@ double quantile_above(double half) {
 
 }  // namespace
 
+double power(double base, int exponent) {
+  double result = 1;
+  for (int n = 0; n < exponent; n++) result *= base;
+  return result;
+}
+
+// Newton's iteration from above.
+double root(double x, int degree) {
+  if (degree == 1 || x == 0) return x;
+  if (degree == 2) return std::sqrt(x);
+  double found = x > 1 ? x : 1;
+  for (;;) {
+    const double next = found - (found - x / power(found, degree - 1)) / degree;
+    if (!(next < found)) return found;
+    found = next;
+  }
+}
+
 double exponential(double x) {
   int halvings = 0;
   for (; x > 0.5 || x < -0.5; halvings++) x *= 0.5;
   double term = 1, sum = 1;
-  for (int k = 1; k <= 18; k++) {  // 0.5^18 / 18! < 2^-70
-    term *= x / k;
+  for (int n = 1; n <= 18; n++) {  // 0.5^18 / 18! < 2^-70
+    term *= x / n;
     sum += term;
   }
   for (; halvings > 0; halvings--) sum *= sum;
@@ -45,5 +63,16 @@ double exponential(double x) {
 }
 
 double normal_quantile(double p) { return p < 0.5 ? -quantile_above(0.5 - p) : quantile_above(p - 0.5); }
+
+double unit_ball(int dimension) {
+  constexpr double kPi = 3.14159265358979323846;
+  return dimension == 2 ? kPi : 4 * kPi / 3;
+}
+
+double volume_of(const std::vector<double> &radii, int dimension) {
+  double sum = 0;
+  for (const double r : radii) sum += power(r, dimension);
+  return unit_ball(dimension) * sum;
+}
 
 }  // namespace packing

@@ -4,12 +4,15 @@
 // their last bit between versions, and with it every coordinate of a packing.
 #pragma once
 
-#include "packing/root.hpp"
+#include <vector>
 
 namespace packing {
 
-using packing::power;
-using packing::root;
+// base^exponent, exponent >= 0.
+double power(double base, int exponent);
+
+// x^(1/degree), x >= 0, degree >= 1.
+double root(double x, int degree);
 
 // e^x.
 double exponential(double x);
@@ -17,5 +20,9 @@ double exponential(double x);
 // The x with Phi(x) = p, Phi the standard normal distribution, 0 <= p <= 1. The ends, which are infinitely far away,
 // give the places where Phi rounds to them, about -8 and 8.
 double normal_quantile(double p);
+
+// The volume (area) of the unit sphere (disk), and that of all spheres (disks) of these radii.
+double unit_ball(int dimension);
+double volume_of(const std::vector<double> &radii, int dimension);
 
 }  // namespace packing

@@ -26,20 +26,20 @@ struct Contact {
   double overlap;
 };
 
-Contact contact_of(const Container &container, const particles::ParticleSet &set, const hg_pair &pair) {
-  const int d = container.dimension;
+Contact contact_of(const Box &box, const particles::ParticleSet &set, const hg_pair &pair) {
+  const int d = box.dimension();
   Contact contact{static_cast<size_t>(pair.a), static_cast<size_t>(pair.b), {0, 0, 0}, 0};
   const double *x_i = &set.centers[contact.i * static_cast<size_t>(d)];
   const double *x_j = &set.centers[contact.j * static_cast<size_t>(d)];
   double square = 0;
-  for (int k = 0; k < d; k++) {
-    contact.normal[k] = container.nearest(k, x_j[k] - x_i[k]);
-    square += contact.normal[k] * contact.normal[k];
+  for (int axis = 0; axis < d; axis++) {
+    contact.normal[axis] = box.nearest(axis, x_j[axis] - x_i[axis]);
+    square += contact.normal[axis] * contact.normal[axis];
   }
   const double distance = std::sqrt(square);
   contact.overlap = set.radii[contact.i] + set.radii[contact.j] - distance;
   if (distance > 0) {
-    for (int k = 0; k < d; k++) contact.normal[k] /= distance;
+    for (int axis = 0; axis < d; axis++) contact.normal[axis] /= distance;
   } else {
     contact.normal[0] = 1;  // coincident centres part along x, the lower id to the left
   }
@@ -56,29 +56,29 @@ void add_push(const particles::ParticleSet &set, const Contact &contact, std::ve
   const size_t d = static_cast<size_t>(set.dimension);
   const double m_i = mass(set, contact.i), m_j = mass(set, contact.j);
   const double length = kPush * contact.overlap / (m_i + m_j);
-  for (size_t k = 0; k < d; k++) {
-    step[contact.i * d + k] -= length * m_j * contact.normal[k];
-    step[contact.j * d + k] += length * m_i * contact.normal[k];
+  for (size_t axis = 0; axis < d; axis++) {
+    step[contact.i * d + axis] -= length * m_j * contact.normal[axis];
+    step[contact.j * d + axis] += length * m_i * contact.normal[axis];
   }
 }
 
-void move(const Container &container, const std::vector<double> &steps, particles::ParticleSet &set) {
-  const int d = container.dimension;
+void move(const Box &box, const std::vector<double> &steps, particles::ParticleSet &set) {
+  const int d = box.dimension();
   for (size_t i = 0; i < set.count(); i++) {
     const double *step = &steps[i * static_cast<size_t>(d)];
     double *center = &set.centers[i * static_cast<size_t>(d)];
     double square = 0;
-    for (int k = 0; k < d; k++) square += step[k] * step[k];
+    for (int axis = 0; axis < d; axis++) square += step[axis] * step[axis];
     const double longest = kLongestStep * set.radii[i];
     const double scale = square > longest * longest ? longest / std::sqrt(square) : 1;
-    for (int k = 0; k < d; k++) center[k] = container.keep(k, center[k] + scale * step[k], set.radii[i]);
+    for (int axis = 0; axis < d; axis++) center[axis] = box.keep(axis, center[axis] + scale * step[axis], set.radii[i]);
   }
 }
 
 }  // namespace
 
-Overlaps relax(const Container &container, int sweeps, const SweepObserver &observe, particles::ParticleSet &set) {
-  const hg_grid_def def = grid_def(container);
+Overlaps relax(const Box &box, int sweeps, const SweepObserver &observe, particles::ParticleSet &set) {
+  const hg_grid_def def = grid_def(box);
   particles::Grid grid(def);
   grid.insert(set);
   std::vector<double> step(set.centers.size());
@@ -86,7 +86,7 @@ Overlaps relax(const Container &container, int sweeps, const SweepObserver &obse
     Overlaps found;
     std::fill(step.begin(), step.end(), 0.0);
     for (const hg_pair &pair : grid.pairs()) {
-      const Contact contact = contact_of(container, set, pair);
+      const Contact contact = contact_of(box, set, pair);
       const double relative = contact.overlap / std::min(set.radii[contact.i], set.radii[contact.j]);
       found.contacts++;
       found.mean += relative;
@@ -96,7 +96,7 @@ Overlaps relax(const Container &container, int sweeps, const SweepObserver &obse
     if (found.contacts > 0) found.mean /= static_cast<double>(found.contacts);
     if (observe) observe(sweep, found);
     if (sweep == sweeps || found.contacts == 0) return found;
-    move(container, step, set);
+    move(box, step, set);
     grid.move(set);
   }
 }

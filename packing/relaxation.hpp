@@ -3,7 +3,7 @@
 // Overlap relaxation: particles thrown onto each other are pushed apart until they hardly overlap.
 #pragma once
 
-#include "packing/container.hpp"
+#include "packing/box.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -22,6 +22,6 @@ using SweepObserver = std::function<void(int sweeps_done, const Overlaps &overla
 
 // Does `sweeps` sweeps, fewer if no overlap is left, and returns the overlaps that remain. Each sweep finds all
 // contacts and then moves both particles of each along the line of centres, the light one farther (masses ~ r^d).
-Overlaps relax(const Container &container, int sweeps, const SweepObserver &observe, particles::ParticleSet &set);
+Overlaps relax(const Box &box, int sweeps, const SweepObserver &observe, particles::ParticleSet &set);
 
 }  // namespace packing

@@ -4,77 +4,195 @@
 #include "packing/size_law.hpp"
 
 #include "packing/portable_math.hpp"
+#include "particles/error.hpp"
+#include "particles/text/lists.hpp"
+#include "particles/text/number.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <limits>
 
 namespace packing {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+using particles::text;
+
+constexpr double kAboveZero = std::numeric_limits<double>::denorm_min();
+constexpr LawParameter kRatio = {"ratio", &SizeLaw::ratio, "largest over smallest radius", "1 to 1e6", 1, 1e6};
+constexpr LawParameter kExponent = {"exponent", &SizeLaw::exponent, "a of p(r) ~ r^-a", "a whole number, 2 to 9", 2, 9,
+                                    true};
+constexpr LawParameter kSigma = {
+    "sigma", &SizeLaw::sigma, "standard deviation of ln r", "above 0 and up to 3", kAboveZero, 3};
+
+bool is_allowed(const LawParameter &parameter, double value) {
+  return value >= parameter.least && value <= parameter.most && (!parameter.is_whole || value == std::floor(value));
+}
+
+// The f at which particle i is sampled.
+double share_below(size_t i, size_t count, double u) {
+  return (static_cast<double>(i) + u) / static_cast<double>(count);
+}
 
 // F(r) = (1 - r^(1-a)) / (1 - omega^(1-a)), a > 1.
 double inverse_of_power_law(double omega, int a, double f) {
   return 1 / root(1 - f * (1 - 1 / power(omega, a - 1)), a - 1);
 }
 
-}  // namespace
-
-const char *const kLawNames[7] = {"mono",      "two-sizes",  "uniform-size", "uniform-volume",
-                                  "power-law", "log-normal", "one-giant"};
-
-Law law_from_name(const std::string &name) {
-  const auto *const found = std::find(std::begin(kLawNames), std::end(kLawNames), name);
-  if (found != std::end(kLawNames)) return static_cast<Law>(found - std::begin(kLawNames));
-  std::string known;
-  for (const char *const law : kLawNames) known += std::string(known.empty() ? "" : ", ") + law;
-  throw std::invalid_argument("no size law is called '" + name + "': use one of " + known);
-}
-
+// How many are the large ones of two sizes: round(N / (1 + omega^d)).
 size_t large_count(const SizeLaw &law, size_t count) {
   const double share = 1 / (1 + power(law.ratio, law.dimension));
   return static_cast<size_t>(std::floor(static_cast<double>(count) * share + 0.5));
 }
 
-double inverse_cdf(const SizeLaw &law, double f) {
-  const double omega = law.ratio;
-  switch (law.law) {
-    case Law::kUniformSize:
-      return 1 + (omega - 1) * f;
-    case Law::kUniformVolume:
-      return inverse_of_power_law(omega, law.dimension, f);
-    case Law::kPowerLaw:
-      return inverse_of_power_law(omega, law.exponent, f);
-    case Law::kLogNormal:
-      return exponential(law.sigma * normal_quantile(f));
-    case Law::kMono:
-    case Law::kTwoSizes:
-    case Law::kOneGiant:
-      break;
+double mono(const SizeLaw &, size_t, size_t, double) { return 1; }
+
+double two_sizes(const SizeLaw &law, size_t i, size_t count, double) {
+  return i < count - large_count(law, count) ? 1 : law.ratio;
+}
+
+double uniform_size(const SizeLaw &law, size_t i, size_t count, double u) {
+  return 1 + (law.ratio - 1) * share_below(i, count, u);
+}
+
+double uniform_volume(const SizeLaw &law, size_t i, size_t count, double u) {
+  return inverse_of_power_law(law.ratio, law.dimension, share_below(i, count, u));
+}
+
+double power_law(const SizeLaw &law, size_t i, size_t count, double u) {
+  return inverse_of_power_law(law.ratio, static_cast<int>(law.exponent), share_below(i, count, u));
+}
+
+double log_normal(const SizeLaw &law, size_t i, size_t count, double u) {
+  return exponential(law.sigma * normal_quantile(share_below(i, count, u)));
+}
+
+double one_giant(const SizeLaw &law, size_t i, size_t count, double) { return i + 1 < count ? 1 : law.ratio; }
+
+std::string fault_of_two_sizes(const SizeLaw &law, size_t count) {
+  const size_t large = large_count(law, count);
+  if (large > 0 && large < count) return "";
+  return "two sizes of ratio " + text(law.ratio) + " and equal volume need more than " + std::to_string(count) +
+         " particles";
+}
+
+const TakenParameter *taken_by(const LawRow &row, const LawParameter &parameter) {
+  for (const TakenParameter &taken : row.takes)
+    if (taken.parameter == &parameter) return &taken;
+  return nullptr;
+}
+
+// Those that a parameter can be given to.
+std::vector<std::string> names_of_takers(const LawParameter &parameter) {
+  std::vector<std::string> names;
+  for (const LawRow &row : size_laws()) {
+    const TakenParameter *taken = taken_by(row, parameter);
+    if (taken != nullptr && !taken->is_fixed) names.emplace_back(row.name);
   }
-  throw std::invalid_argument("this size law has no density");
+  return names;
+}
+
+}  // namespace
+
+const std::vector<LawRow> &size_laws() {
+  static const std::vector<LawRow> rows = {
+      {Law::kMono, "mono", "1", {{&kRatio, 1, true}}, mono},
+      {Law::kTwoSizes,
+       "two-sizes",
+       "1 and ratio, equal volume of both",
+       {{&kRatio, 10}},
+       two_sizes,
+       fault_of_two_sizes},
+      {Law::kUniformSize, "uniform-size", "p(r) constant from 1 to ratio", {{&kRatio, 50}}, uniform_size},
+      {Law::kUniformVolume,
+       "uniform-volume",
+       "p(r) ~ r^-3 (2D: r^-2) from 1 to ratio: each interval of sizes holds the same volume",
+       {{&kRatio, 50}},
+       uniform_volume},
+      {Law::kPowerLaw,
+       "power-law",
+       "p(r) ~ r^-a from 1 to ratio, a = exponent",
+       {{&kRatio, 50}, {&kExponent, 3}},
+       power_law},
+      {Law::kLogNormal, "log-normal", "ln r normal with deviation sigma, median 1", {{&kSigma, 1}}, log_normal},
+      {Law::kOneGiant, "one-giant", "one of radius ratio, all others 1", {{&kRatio, 10}}, one_giant},
+  };
+  return rows;
+}
+
+const std::vector<const LawParameter *> &law_parameters() {
+  static const std::vector<const LawParameter *> parameters = {&kRatio, &kExponent, &kSigma};
+  return parameters;
+}
+
+const LawRow &row_of(Law law) {
+  return *std::find_if(size_laws().begin(), size_laws().end(), [&](const LawRow &row) { return row.law == law; });
+}
+
+SizeLaw usual_law(const std::string &name) {
+  for (const LawRow &row : size_laws()) {
+    if (row.name != name) continue;
+    SizeLaw law;
+    law.law = row.law;
+    for (const TakenParameter &taken : row.takes) law.*taken.parameter->value = taken.usual;
+    return law;
+  }
+  throw particles::Error("no size law is called '" + name + "': use one of " +
+                         particles::joined(particles::names_of(size_laws())));
+}
+
+SizeLaw law_with(const std::string &name, double value) {
+  SizeLaw law = usual_law(name);
+  const LawParameter &parameter = *row_of(law.law).takes.front().parameter;
+  const std::string fault = set_parameter(law, parameter, value);
+  if (!fault.empty()) throw particles::Error(std::string(parameter.name) + " " + fault);
+  return law;
+}
+
+std::string set_parameter(SizeLaw &law, const LawParameter &parameter, double value) {
+  const LawRow &row = row_of(law.law);
+  const TakenParameter *taken = taken_by(row, parameter);
+  if (taken == nullptr)
+    return "is for " + particles::joined(names_of_takers(parameter)) + ", not for the law " + row.name;
+  if (taken->is_fixed && value != taken->usual)
+    return "is " + text(taken->usual) + " for the law " + row.name + ", not " + text(value);
+  law.*parameter.value = value;
+  return "";
+}
+
+std::string law_fault(const SizeLaw &law, size_t count) {
+  const LawRow &row = row_of(law.law);
+  for (const TakenParameter &taken : row.takes) {
+    const double value = law.*taken.parameter->value;
+    if (!is_allowed(*taken.parameter, value))
+      return std::string("the ") + taken.parameter->name + " is " + taken.parameter->range + ", not " + text(value);
+  }
+  return row.fault(law, count);
+}
+
+std::string describe(const LawParameter &parameter) {
+  const std::vector<std::string> takers = names_of_takers(parameter);
+  return (takers.size() == 1 ? takers.front() + ": " : "") + parameter.meaning + ", " + parameter.range;
+}
+
+std::string usual_values(const LawParameter &parameter) {
+  const double usual = SizeLaw().*parameter.value;
+  std::string result = text(usual);
+  for (const LawRow &row : size_laws()) {
+    const TakenParameter *taken = taken_by(row, parameter);
+    if (taken != nullptr && taken->usual != usual) result += std::string("; ") + row.name + ": " + text(taken->usual);
+  }
+  return result;
 }
 
 std::vector<double> sample_radii(const SizeLaw &law, size_t count, double u) {
-  std::vector<double> radii(count, 1.0);
-  if (law.law == Law::kMono) return radii;
-  if (law.law == Law::kTwoSizes || law.law == Law::kOneGiant) {
-    const size_t large = law.law == Law::kOneGiant ? 1 : large_count(law, count);
-    std::fill(radii.end() - static_cast<ptrdiff_t>(large), radii.end(), law.ratio);
-    return radii;
-  }
-  for (size_t i = 0; i < count; i++) {
-    radii[i] = inverse_cdf(law, (static_cast<double>(i) + u) / static_cast<double>(count));
-  }
+  const LawRow &row = row_of(law.law);
+  std::vector<double> radii(count);
+  for (size_t i = 0; i < count; i++) radii[i] = row.radius(law, i, count, u);
   return radii;
 }
 
 double box_edge(const std::vector<double> &radii, double density, int dimension) {
-  double sum = 0;
-  for (const double r : radii) sum += power(r, dimension);
-  if (dimension == 2) return std::sqrt(kPi * sum / density);
-  return root(4 * kPi / 3 * sum / density, 3);
+  return root(volume_of(radii, dimension) / density, dimension);
 }
 
 }  // namespace packing

@@ -10,36 +10,68 @@
 
 namespace packing {
 
-enum class Law {
-  kMono,           // all radii 1
-  kTwoSizes,       // 1 and omega, equal volume (2D: area) of both
-  kUniformSize,    // p(r) constant on [1, omega]
-  kUniformVolume,  // every size interval holds the same volume: p(r) ~ r^-d on [1, omega]
-  kPowerLaw,       // p(r) ~ r^-a on [1, omega]
-  kLogNormal,      // ln r is normal with mean 0 and deviation sigma; the median radius is 1
-  kOneGiant        // one of radius omega, all others 1
-};
+enum class Law { kMono, kTwoSizes, kUniformSize, kUniformVolume, kPowerLaw, kLogNormal, kOneGiant };
 
 // The smallest radius is 1, so `ratio` (omega) is the largest; log-normal radii have no ends but those of the sample.
 struct SizeLaw {
   Law law = Law::kUniformVolume;
   double ratio = 50;
   int dimension = 3;
-  int exponent = 3;  // a of the power law, 2 to 9
-  double sigma = 1;  // of the log-normal law
+  double exponent = 3;  // a of the power law, a whole number
+  double sigma = 1;     // of the log-normal law
 };
 
-// The names that law_from_name knows, in the order of the enum.
-extern const char *const kLawNames[7];
+// A parameter of size laws: an option of `hgrid pack` and a key of [particles.pack].
+struct LawParameter {
+  const char *name;
+  double SizeLaw::*value;
+  const char *meaning;
+  const char *range;  // in words
+  double least, most;
+  bool is_whole = false;  // number
+};
 
-// The law of a name as `hgrid pack --law` takes it; throws std::invalid_argument naming it if there is none.
-Law law_from_name(const std::string &name);
+// What a law takes.
+struct TakenParameter {
+  const LawParameter *parameter;
+  double usual;
+  bool is_fixed = false;  // at the usual value
+};
 
-// How many of `count` particles are the large ones of Law::kTwoSizes: round(N / (1 + omega^d)).
-size_t large_count(const SizeLaw &law, size_t count);
+struct LawRow {
+  Law law;
+  const char *name;
+  const char *radii;  // in words
+  std::vector<TakenParameter> takes;
+  // The radius of particle i of `count`, in ascending order, sampled at (i + u) / count.
+  double (*radius)(const SizeLaw &law, size_t i, size_t count, double u);
+  // Why `count` particles cannot have this law, "" if they can.
+  std::string (*fault)(const SizeLaw &law, size_t count) = [](const SizeLaw &, size_t) { return std::string(); };
+};
 
-// F^-1 of the laws that have a density, 0 <= f < 1.
-double inverse_cdf(const SizeLaw &law, double f);
+// All laws and all parameters: what is offered, described, checked and sampled comes from here.
+const std::vector<LawRow> &size_laws();
+const std::vector<const LawParameter *> &law_parameters();
+
+const LawRow &row_of(Law law);
+
+// The law called `name`, with the usual values of what it takes. Throws particles::Error if there is none.
+SizeLaw usual_law(const std::string &name);
+
+// The same with one value: that of the first parameter it takes, the ratio of most.
+SizeLaw law_with(const std::string &name, double value);
+
+// Sets a parameter. Returns "", or what is wrong: the law does not take it, or only one value of it. Ranges are left to
+// law_fault.
+std::string set_parameter(SizeLaw &law, const LawParameter &parameter, double value);
+
+// What is wrong with a law for so many particles: a value that is not allowed, or too few of them; "" if nothing is.
+std::string law_fault(const SizeLaw &law, size_t count);
+
+// For help and references: the parameter with the law that it belongs to, and its usual value, by law where laws
+// differ.
+std::string describe(const LawParameter &parameter);
+std::string usual_values(const LawParameter &parameter);
 
 // Systematic sampling, r_i = F^-1((i + u) / N) with one u in [0, 1) for all: ascending, and no size class is left out
 // by chance. The largest radius stays somewhat below omega unless N >> omega^(a - 1).

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The one exception of the command: a text ready to be shown after "hgrid: ".
+// The one exception of all that stands on the library: a text ready to be shown after the name of a program.
 #pragma once
 
 #include <cstddef>

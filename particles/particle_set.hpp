@@ -4,19 +4,48 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace particles {
+
+// Further numbers of each particle, such as its velocity.
+struct Column {
+  std::string name;
+  size_t width;                // 1, or 3 for vectors, in two dimensions too
+  std::vector<double> values;  // [count][width]
+};
+
+// When in a simulation the particles are as they are.
+struct Moment {
+  uint64_t step;
+  double time;
+};
 
 struct ParticleSet {
   int dimension = 3;            // 2 or 3
   std::vector<double> centers;  // [count][dimension]
   std::vector<double> radii;    // [count]
   bool has_box = false;
-  double box_min[3]{}, box_max[3]{};  // the axes beyond `dimension` are 0
+  double box_min[3]{}, box_max[3]{};  // the axes beyond `dimension` are 0 in what is read
   int periodic[3]{};                  // only with a box
+
+  // Written where there are any; never read.
+  std::vector<Column> columns;
+  std::optional<Moment> moment;
 
   size_t count() const { return radii.size(); }
 };
+
+// [count][dimension] to [count][3], the third 0 in two dimensions.
+inline std::vector<double> in_three_dimensions(std::vector<double> rows, int dimension) {
+  if (dimension == 3) return rows;
+  std::vector<double> result;
+  result.reserve(rows.size() / 2 * 3);
+  for (size_t k = 0; k + 1 < rows.size(); k += 2) result.insert(result.end(), {rows[k], rows[k + 1], 0.0});
+  return result;
+}
 
 }  // namespace particles

@@ -4,19 +4,11 @@
 #pragma once
 
 #include "particles/error.hpp"
-
-#include <cstdio>
-#include <string>
+#include "particles/text/number.hpp"
 
 namespace dem {
 
 using particles::Error;
-
-// A number as it stands in messages.
-inline std::string text(double number) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.6g", number);
-  return buffer;
-}
+using particles::text;
 
 }  // namespace dem

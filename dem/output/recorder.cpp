@@ -4,14 +4,16 @@
 #include "dem/output/recorder.hpp"
 
 #include "dem/engine/checkpoint.hpp"
-#include "dem/engine/error.hpp"
-#include "dem/output/xyz.hpp"
+#include "dem/output/picture.hpp"
+#include "particles/error.hpp"
+#include "particles/files/writer.hpp"
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 namespace output {
 namespace {
@@ -37,35 +39,32 @@ std::string table_until(const std::string &path, uint64_t done) {
 
 }  // namespace
 
-Recorder::Recorder(const std::string &directory, const std::vector<std::string> &formats, const dem::Setup &setup,
-                   uint64_t done)
-    : directory_(directory), formats_(formats), setup_(&setup) {
+Recorder::Recorder(std::string directory, std::vector<std::string> formats, const dem::Setup &setup, uint64_t done)
+    : directory_(std::move(directory)), formats_(std::move(formats)), setup_(&setup) {
   std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw dem::Error(directory + ": cannot make this folder: " + error.message());
-  const std::string path = directory + "/energy.csv";
+  std::filesystem::create_directories(directory_, error);
+  if (error) throw particles::Error(directory_ + ": cannot make this folder: " + error.message());
+  const std::string path = directory_ + "/energy.csv";
   const std::string kept = done > 0 ? table_until(path, done) : std::string(kHeader) + '\n';
   table_.reset(std::fopen(path.c_str(), "w"));
   if (!table_ || std::fputs(kept.c_str(), table_.get()) < 0) {
-    throw dem::Error(path + ": cannot write: " + std::strerror(errno));
+    throw particles::Error(path + ": cannot write: " + std::strerror(errno));
   }
   if (done == 0) return;
-  for (const TimedFile &file : read_pvd(directory_ + "/states.pvd")) {
+  for (const TimedFile &file : read_animation(directory_ + "/states.pvd")) {
     if (file.name <= picture_name(done, "vtp")) animation_.push_back(file);
   }
 }
 
-void Recorder::picture(uint64_t step, const dem::Snapshot &state) {
+void Recorder::picture(uint64_t step, dem::Snapshot state) {
+  const double time = state.time;
+  const particles::ParticleSet set = picture_of(*setup_, step, std::move(state));
   for (const std::string &format : formats_) {
     const std::string name = picture_name(step, format);
-    const std::string path = directory_ + "/" + name;
-    if (format == "xyz") {
-      write_xyz(path, *setup_, state);
-    } else {
-      write_vtp(path, state);
-      animation_.push_back({state.time, name});
-      write_pvd(directory_ + "/states.pvd", animation_);
-    }
+    particles::write_picture(directory_ + "/" + name, *particles::format_of_word(format), set);
+    if (format != "vtp") continue;
+    animation_.push_back({time, name});
+    write_animation(directory_ + "/states.pvd", animation_);
   }
 }
 
@@ -74,7 +73,7 @@ void Recorder::energies(uint64_t step, const dem::Measurement &m) {
   std::fprintf(out, "%llu,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%zu,%zu,%.6g\n", static_cast<unsigned long long>(step),
                m.time, m.energy(), m.translation, m.rotation, m.contact, m.gravity, m.contacts, m.wall_contacts,
                m.largest_overlap);
-  if (std::fflush(out) != 0) throw dem::Error(directory_ + "/energy.csv: cannot write: " + std::strerror(errno));
+  if (std::fflush(out) != 0) throw particles::Error(directory_ + "/energy.csv: cannot write: " + std::strerror(errno));
 }
 
 void Recorder::checkpoint(const dem::Engine &engine) {

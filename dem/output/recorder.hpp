@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dem/engine/engine.hpp"
-#include "dem/output/vtp.hpp"
+#include "dem/output/animation.hpp"
 
 #include <cstdint>
 #include <cstdio>
@@ -15,16 +15,15 @@
 namespace output {
 
 // All files lie in one folder, which is made if it is not there. A run that goes on from a checkpoint adds to the
-// table and the list of pictures; pictures carry the number of their step. Throws std::runtime_error if something
-// cannot be written.
+// table and the list of pictures; pictures carry the number of their step. Throws particles::Error if something cannot
+// be written.
 class Recorder {
  public:
   // `done`: the step that the run goes on from, 0 for a new one. What an earlier run has entered for later steps, past
-  // its last checkpoint, is dropped, since it comes again.
-  Recorder(const std::string &directory, const std::vector<std::string> &formats, const dem::Setup &setup,
-           uint64_t done);
+  // its last checkpoint, is dropped, since it comes again. `formats`: their words.
+  Recorder(std::string directory, std::vector<std::string> formats, const dem::Setup &setup, uint64_t done);
 
-  void picture(uint64_t step, const dem::Snapshot &state);
+  void picture(uint64_t step, dem::Snapshot state);
   void energies(uint64_t step, const dem::Measurement &measurement);
   void checkpoint(const dem::Engine &engine);
 

@@ -4,8 +4,42 @@
 #include "dem/scene/keys.hpp"
 
 #include "dem/engine/error.hpp"
+#include "packing/size_law.hpp"
+#include "particles/files/format.hpp"
+#include "particles/text/lists.hpp"
+
+#include <deque>
+#include <utility>
 
 namespace scene {
+namespace {
+
+// Keys point to their texts: those put together here stay as long as the program.
+const char *kept(std::string text) {
+  static std::deque<std::string> texts;
+  return texts.emplace_back(std::move(text)).c_str();
+}
+
+// Puts before `others` the law of a packing and what laws take.
+std::vector<Key> with_size_laws(const std::vector<Key> &others) {
+  std::vector<Key> keys = {{"particles.pack", "law", Kind::kText, kPure, "mono",
+                            kept(particles::joined(particles::names_of(packing::size_laws()), " or "))}};
+  for (const packing::LawParameter *parameter : packing::law_parameters()) {
+    keys.push_back({"particles.pack", parameter->name, parameter->is_whole ? Kind::kCount : Kind::kNumber, kPure,
+                    kept(packing::usual_values(*parameter)), kept(packing::describe(*parameter))});
+  }
+  keys.insert(keys.end(), others.begin(), others.end());
+  return keys;
+}
+
+const char *format_list() {
+  std::string list;
+  for (const particles::Format &format : particles::all_formats())
+    list += std::string(list.empty() ? "" : ", ") + format.name + " (" + format.title + ")";
+  return kept(std::move(list));
+}
+
+}  // namespace
 
 const std::vector<TableDoc> &all_tables() {
   static const std::vector<TableDoc> tables = {
@@ -52,9 +86,7 @@ const std::vector<Key> &all_keys() {
       {"particles", "seed", Kind::kCount, kPure, "1", "of the velocities"},
       {"particles", "fixed", Kind::kFlag, kPure, "false", "keep their velocity whatever pushes them"},
 
-      {"particles.pack", "law", Kind::kText, kPure, "mono", "mono, two-sizes, uniform-size or uniform-volume"},
       {"particles.pack", "count", Kind::kCount, kPure, "needed", "number of particles"},
-      {"particles.pack", "ratio", Kind::kNumber, kPure, "1; 10; 50; 50", "largest over smallest radius, by law"},
       {"particles.pack", "fraction", Kind::kNumber, kPure, "needed", "share of the box that the particles fill"},
       {"particles.pack", "method", Kind::kText, kPure, "relax",
        "relax: small overlaps stay; event: grown without any, which takes longer"},
@@ -89,7 +121,7 @@ const std::vector<Key> &all_keys() {
 
       {"output", "directory", Kind::kText, kPure, "the scene's name + -output", "relative to where hgrid runs"},
       {"output", "every", Kind::kNumber, kTime, "none", "time between pictures of the state"},
-      {"output", "formats", Kind::kTexts, kPure, "vtp", "vtp (ParaView), xyz (OVITO, extended XYZ)"},
+      {"output", "formats", Kind::kTexts, kPure, "vtp", format_list()},
       {"output", "energy", Kind::kNumber, kTime, "a hundredth of the run", "time between the rows of energy.csv"},
       {"output", "checkpoint", Kind::kNumber, kTime, "none", "time between checkpoints; the last one stays"},
 
@@ -112,7 +144,8 @@ const std::vector<Key> &all_keys() {
       {"hertz", "impact_speed", Kind::kNumber, kVelocity, "twice the fastest at the start",
        "fastest approach to reckon the time step with"},
       {"shear", "rate", Kind::kNumber, kRate, "needed", "du_x / dy; particles start with that profile added"}};
-  return keys;
+  static const std::vector<Key> all = with_size_laws(keys);
+  return all;
 }
 
 const Key &key_of(std::string_view table, std::string_view name) {

@@ -3,11 +3,13 @@
 // Where the particles of a group come from.
 #include "dem/scene/sources.hpp"
 
-#include "dem/engine/error.hpp"
-#include "packing/growth.hpp"
+#include "packing/event/grown_packing.hpp"
 #include "packing/packing.hpp"
 #include "packing/random.hpp"
+#include "particles/error.hpp"
 #include "particles/files/reader.hpp"
+#include "particles/text/lists.hpp"
+#include "particles/text/number.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -18,25 +20,32 @@ namespace {
 
 // A packing without overlaps: what does not reach the density is none.
 particles::ParticleSet grow(const packing::Request &request) {
-  packing::GrownPacking packing = packing::grow_packing(request, 0, [](const auto &) { return true; });
+  packing::event::GrownPacking packing = packing::event::grow_packing(request, 0, [](const auto &) { return true; });
   if (packing.growth.end != packing::event::GrowthEnd::kDone) {
-    throw dem::Error("the growth jammed at density " + dem::text(packing.growth.density));
+    throw particles::Error("the growth jammed at density " + particles::text(packing.growth.density));
   }
   return std::move(packing.particles);
 }
 
+packing::SizeLaw read_law(const Table &table, int dimension) {
+  packing::SizeLaw law = packing::usual_law(table.choice("law", particles::names_of(packing::size_laws())));
+  law.dimension = dimension;
+  for (const packing::LawParameter *parameter : packing::law_parameters()) {
+    if (!table.has(parameter->name)) continue;
+    const std::string fault = packing::set_parameter(law, *parameter, table.number(parameter->name));
+    if (!fault.empty()) table.fail(parameter->name, fault);
+  }
+  return law;
+}
+
 particles::ParticleSet read_pack(const Table &group, const Table &table, const dem::Setup &setup) {
   packing::Request request;
-  const std::string law = table.choice("law", {"mono", "two-sizes", "uniform-size", "uniform-volume"});
-  request.law.law = packing::law_from_name(law);
-  request.law.dimension = setup.dimension;
-  request.law.ratio = table.number("ratio", law == "mono" ? 1 : law == "two-sizes" ? 10 : 50);
-  if (law == "mono" && request.law.ratio != 1) table.fail("ratio", "the law mono has one size only");
+  request.law = read_law(table, setup.dimension);
   request.count = static_cast<size_t>(table.count("count"));
   request.density = table.number("fraction");
   request.seed = table.count("seed", 1);
   request.sweeps = static_cast<int>(table.count("sweeps", 60));
-  for (size_t k = 0; k < 3; k++) request.periodic[k] = setup.periodic[k];
+  for (size_t axis = 0; axis < 3; axis++) request.periodic[axis] = setup.periodic[axis];
   const bool grows = table.choice("method", {"relax", "event"}) == "event";
   if (grows && table.has("sweeps")) table.fail("sweeps", "is for the method relax");
   particles::ParticleSet set;
@@ -106,7 +115,7 @@ particles::ParticleSet read_lattice(const Table &group, const Table &table, cons
   size_t most[3] = {1, 1, 1};
   for (size_t axis = 0; axis < dimension; axis++) {
     if (!(counts[axis] >= 1) || counts[axis] != std::floor(counts[axis]) || counts[axis] > 1e6) {
-      table.fail("counts", dem::text(counts[axis]) + " is not a whole number of 1 or more");
+      table.fail("counts", particles::text(counts[axis]) + " is not a whole number of 1 or more");
     }
     most[axis] = static_cast<size_t>(counts[axis]);
   }

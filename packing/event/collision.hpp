@@ -4,7 +4,7 @@
 // Stillinger 1990). Radii grow at a constant rate, centres move at constant velocity.
 #pragma once
 
-#include "packing/event/vector.hpp"
+#include "packing/vector.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 
 #include "packing/event/collision.hpp"
 #include "particles/error.hpp"
+#include "particles/text/number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,29 +22,29 @@ constexpr double kStallShare = 1e-9;
 constexpr size_t kParticlesPerStray = 256;
 constexpr size_t kLeastStrays = 16;
 
+using particles::text;
+
 void check_state(const Box &box, const State &state) {
   const size_t count = state.count();
   if (state.centers.size() != count || state.velocities.size() != count || state.masses.size() != count) {
     throw particles::Error("centres, velocities, radii and masses are not of one number");
   }
-  if (!(state.scale >= 0) || !std::isfinite(state.scale))
-    throw particles::Error("scale " + std::to_string(state.scale));
+  if (!(state.scale >= 0) || !std::isfinite(state.scale)) throw particles::Error("scale " + text(state.scale));
   for (size_t i = 0; i < count; i++) {
     const std::string who = "particle " + std::to_string(i) + ": ";
     if (!(state.radii[i] > 0) || !std::isfinite(state.radii[i])) {
-      throw particles::Error(who + "radius " + std::to_string(state.radii[i]));
+      throw particles::Error(who + "radius " + text(state.radii[i]));
     }
     if (!(state.masses[i] > 0) || !std::isfinite(state.masses[i])) {
-      throw particles::Error(who + "mass " + std::to_string(state.masses[i]));
+      throw particles::Error(who + "mass " + text(state.masses[i]));
     }
-    for (int k = 0; k < 3; k++) {
-      const double x = state.centers[i][k], v = state.velocities[i][k];
+    for (int axis = 0; axis < 3; axis++) {
+      const double x = state.centers[i][axis], v = state.velocities[i][axis];
       if (!std::isfinite(x) || !std::isfinite(v)) {
-        throw particles::Error(who + "centre or velocity is not finite on axis " + std::to_string(k));
+        throw particles::Error(who + "centre or velocity is not finite on axis " + std::to_string(axis));
       }
-      if (k >= box.dimension() ? x != 0 || v != 0 : x < 0 || x > box.edge(k)) {
-        throw particles::Error(who + "lies at " + std::to_string(x) + " on axis " + std::to_string(k) +
-                               ", outside the box");
+      if (axis >= box.dimension() ? x != 0 || v != 0 : x < 0 || x > box.edge(axis)) {
+        throw particles::Error(who + "lies at " + text(x) + " on axis " + std::to_string(axis) + ", outside the box");
       }
     }
   }
@@ -214,12 +215,12 @@ Engine::Event Engine::next_event(int32_t i) {
 
 void Engine::meet_walls(const Particle &particle, const Vector &center, double &tau, int32_t &partner) const {
   const double radius = scale() * particle.radius, growth = growth_ * particle.radius;
-  for (int k = 0; k < box_.dimension(); k++) {
-    if (box_.is_periodic(k)) continue;
-    const double lower = wall_time(center[k] - radius, -particle.velocity[k], growth);
-    const double upper = wall_time(box_.edge(k) - center[k] - radius, particle.velocity[k], growth);
-    if (lower < tau) tau = lower, partner = kFirstWall - 2 * k;
-    if (upper < tau) tau = upper, partner = kFirstWall - 2 * k - 1;
+  for (int axis = 0; axis < box_.dimension(); axis++) {
+    if (box_.is_periodic(axis)) continue;
+    const double lower = wall_time(center[axis] - radius, -particle.velocity[axis], growth);
+    const double upper = wall_time(box_.edge(axis) - center[axis] - radius, particle.velocity[axis], growth);
+    if (lower < tau) tau = lower, partner = kFirstWall - 2 * axis;
+    if (upper < tau) tau = upper, partner = kFirstWall - 2 * axis - 1;
   }
 }
 

@@ -3,11 +3,11 @@
 // Event-driven dynamics of hard spheres (disks) whose radii grow at a common relative rate.
 #pragma once
 
-#include "packing/event/box.hpp"
+#include "packing/box.hpp"
 #include "packing/event/event_queue.hpp"
 #include "packing/event/hull_lists.hpp"
 #include "packing/event/skins.hpp"
-#include "packing/event/vector.hpp"
+#include "packing/vector.hpp"
 
 #include <cstddef>
 #include <cstdint>

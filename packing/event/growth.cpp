@@ -3,9 +3,11 @@
 // The course of a growth: rate by density, kinetic energy kept in bounds, jamming recognised and retried.
 #include "packing/event/growth.hpp"
 
-#include "packing/event/spatial_order.hpp"
+#include "packing/morton.hpp"
+#include "packing/portable_math.hpp"
 #include "packing/random.hpp"
 #include "particles/error.hpp"
+#include "particles/text/number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +18,6 @@
 namespace packing::event {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 // Growth of <r> over the thermal speed: what leaves a dense fluid time to relax, and what a dilute one bears.
 constexpr double kUsualRate = 0.01, kFastestRate = 0.1;
 constexpr double kLongestStep = 0.02;        // of the scale, before the rate is chosen anew
@@ -29,18 +30,6 @@ constexpr double kJammedPressure = 1e4;
 constexpr double kRetryDensity = 0.5;  // where tries start again
 constexpr double kRetrySlowdown = 4;
 
-double volume_of(const std::vector<double> &radii, int dimension) {
-  double sum = 0;
-  for (const double r : radii) sum += dimension == 2 ? r * r : r * r * r;
-  return (dimension == 2 ? kPi : 4 * kPi / 3) * sum;
-}
-
-double power(double base, int exponent) {
-  double result = 1;
-  for (int k = 0; k < exponent; k++) result *= base;
-  return result;
-}
-
 State random_points(const Box &box, const GrowthRequest &request) {
   State state;
   Random random(request.seed);
@@ -49,14 +38,39 @@ State random_points(const Box &box, const GrowthRequest &request) {
   state.scale = 0;
   for (size_t i = 0; i < state.count(); i++) {
     Vector center = Vector::Zero(), velocity = Vector::Zero();
-    for (int k = 0; k < box.dimension(); k++) {
-      center[k] = random.uniform() * box.edge(k);
-      velocity[k] = random.normal();
+    for (int axis = 0; axis < box.dimension(); axis++) {
+      center[axis] = random.uniform() * box.edge(axis);
+      velocity[axis] = random.normal();
     }
     state.centers.push_back(center);
     state.velocities.push_back(velocity);
   }
   return state;
+}
+
+// The numbers of the points along Morton's curve, 1024 cells per axis of the box.
+std::vector<size_t> spatial_order(const Box &box, const std::vector<Vector> &points) {
+  constexpr int kBits = 10;
+  std::vector<uint64_t> places;
+  places.reserve(points.size());
+  for (const Vector &point : points) {
+    uint32_t cell[3] = {0, 0, 0};
+    for (int axis = 0; axis < box.dimension(); axis++) {
+      const double place = point[axis] / box.edge(axis) * (1 << kBits);
+      cell[axis] = static_cast<uint32_t>(std::min(std::max(place, 0.0), (1 << kBits) - 1.0));
+    }
+    places.push_back(morton_place(cell, box.dimension(), kBits));
+  }
+  return order_by_place<size_t>(places);
+}
+
+// items[order[0]], items[order[1]] ...
+template <class T>
+std::vector<T> reordered(const std::vector<T> &items, const std::vector<size_t> &order) {
+  std::vector<T> result;
+  result.reserve(items.size());
+  for (const size_t k : order) result.push_back(items[k]);
+  return result;
 }
 
 class Growth {
@@ -68,9 +82,9 @@ class Growth {
         fluid_(request.radii, box.dimension()),
         target_(volume_of(request.radii, box.dimension()) / box.volume()),
         rate_(request.rate > 0 ? request.rate : kUsualRate / fluid_.mean_radius()) {
-    if (!(target_ < 1)) throw particles::Error("the particles fill " + std::to_string(target_) + " of the box");
+    if (!(target_ < 1)) throw particles::Error("the particles fill " + particles::text(target_) + " of the box");
     if (!(request.rate >= 0) || !std::isfinite(request.rate)) {
-      throw particles::Error("a growth rate of " + std::to_string(request.rate));
+      throw particles::Error("a growth rate of " + particles::text(request.rate));
     }
     energy_ = static_cast<double>(request.radii.size()) * box.dimension() / 2;  // kT = 1
     tabulate_work();

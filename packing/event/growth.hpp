@@ -4,7 +4,7 @@
 // Stillinger 1990).
 #pragma once
 
-#include "packing/event/box.hpp"
+#include "packing/box.hpp"
 #include "packing/event/engine.hpp"
 #include "packing/event/fluid.hpp"
 

@@ -39,7 +39,7 @@ void HullLists::rebuild(const std::vector<Sphere> &spheres, const std::vector<do
   for (size_t i = 0; i < spheres.size(); i++) {
     inner_[i] = {spheres[i].center, spheres[i].radius + inner[i]};
     outer_[i] = {spheres[i].center, spheres[i].radius + outer[i]};
-    for (size_t k = 0; k < d; k++) centers_[i * d + k] = spheres[i].center[static_cast<Eigen::Index>(k)];
+    for (size_t axis = 0; axis < d; axis++) centers_[i * d + axis] = spheres[i].center[static_cast<Eigen::Index>(axis)];
     radii_[i] = outer_[i].radius;
   }
   if (filled_) {

@@ -4,8 +4,8 @@
 // Torquato & Stillinger 2005).
 #pragma once
 
-#include "packing/event/box.hpp"
-#include "packing/event/vector.hpp"
+#include "packing/box.hpp"
+#include "packing/vector.hpp"
 #include "particles/grid_pointer.hpp"
 
 #include <cstddef>

@@ -26,9 +26,9 @@ size_t count_beyond_walls(const Box &box, const std::vector<Vector> &centers, co
   size_t count = 0;
   for (size_t i = 0; i < centers.size(); i++) {
     bool beyond = false;
-    for (int k = 0; k < box.dimension(); k++) {
-      if (box.is_periodic(k)) continue;
-      beyond = beyond || centers[i][k] - radii[i] < 0 || centers[i][k] + radii[i] > box.edge(k);
+    for (int axis = 0; axis < box.dimension(); axis++) {
+      if (box.is_periodic(axis)) continue;
+      beyond = beyond || centers[i][axis] - radii[i] < 0 || centers[i][axis] + radii[i] > box.edge(axis);
     }
     if (beyond) count++;
   }

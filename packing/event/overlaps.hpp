@@ -3,8 +3,8 @@
 // The proof of a packing: how many pairs overlap and how many particles cut a wall.
 #pragma once
 
-#include "packing/event/box.hpp"
-#include "packing/event/vector.hpp"
+#include "packing/box.hpp"
+#include "packing/vector.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -3,8 +3,9 @@
 // The rules by which the skins of hulls follow density and sizes.
 #include "packing/event/skins.hpp"
 
-#include "packing/root.hpp"
+#include "packing/portable_math.hpp"
 #include "particles/error.hpp"
+#include "particles/text/number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,18 +34,18 @@ Skins::Skins(const Box &box, size_t count) : largest_hull_(std::numeric_limits<d
   const double distance = box.dimension() == 2 ? std::sqrt(volume) : root(volume, 3);
   inner_ = kFirstInner * distance;
   outer_ = kFirstOuter * distance;
-  for (int k = 0; k < box.dimension(); k++) {
-    largest_skin_ = std::max(largest_skin_, box.edge(k));
+  for (int axis = 0; axis < box.dimension(); axis++) {
+    largest_skin_ = std::max(largest_skin_, box.edge(axis));
     // The library asks for twice the largest reach, the sum of two hulls; a little less for its rounding.
-    if (box.is_periodic(k)) largest_hull_ = std::min(largest_hull_, box.edge(k) / 4 * (1 - 1e-9));
+    if (box.is_periodic(axis)) largest_hull_ = std::min(largest_hull_, box.edge(axis) / 4 * (1 - 1e-9));
   }
 }
 
 double Skins::capped(double radius, double skin) const {
   const double room = largest_hull_ - radius;
   if (room < kLeastRoom * radius) {
-    throw particles::Error("a particle of radius " + std::to_string(radius) +
-                           " is too large for its periodic box: a hull of " + std::to_string(largest_hull_) +
+    throw particles::Error("a particle of radius " + particles::text(radius) +
+                           " is too large for its periodic box: a hull of " + particles::text(largest_hull_) +
                            " is all that the shortest axis allows");
   }
   return std::min(skin, room);

@@ -3,7 +3,7 @@
 // How far hulls stand off their particles: learnt from what the last epoch counted, never from a clock.
 #pragma once
 
-#include "packing/event/box.hpp"
+#include "packing/box.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,6 +3,7 @@
 // Which columns of a table hold the particles, and the rows read through them.
 #include "particles/files/columns.hpp"
 
+#include "particles/text/lists.hpp"
 #include "particles/text/number.hpp"
 
 #include <algorithm>
@@ -10,12 +11,6 @@
 
 namespace particles {
 namespace {
-
-std::string joined(const std::vector<std::string> &names) {
-  std::string result;
-  for (const std::string &name : names) result += (result.empty() ? "" : ", ") + name;
-  return in_quotes(result);
-}
 
 // The end of the field that starts at `first`.
 size_t field_end(std::string_view line, size_t first, char separator) {
@@ -51,13 +46,13 @@ void find_size_column(const LineCursor &cursor, Columns &columns) {
     columns.size = found;
     columns.is_diameter = name[0] == 'd';
   }
-  if (columns.size < 0) cursor.fail("no column radius, r, diameter or d among " + joined(columns.names));
+  if (columns.size < 0) cursor.fail("no column radius, r, diameter or d among " + in_quotes(joined(columns.names)));
 }
 
 int settle_dimension(const LineCursor &cursor, const Columns &columns, int asked) {
   for (int axis = 0; axis < (asked == 3 ? 3 : 2); axis++)
     if (columns.axis[axis] < 0)
-      cursor.fail(std::string("no column ") + "xyz"[axis] + " among " + joined(columns.names));
+      cursor.fail(std::string("no column ") + "xyz"[axis] + " among " + in_quotes(joined(columns.names)));
   if (asked != 0) return asked;
   return columns.axis[2] < 0 ? 2 : 3;
 }

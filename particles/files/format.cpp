@@ -1,57 +1,82 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The file formats for particles and how one is recognised.
+// One row for each file format, and how a format is recognised.
 #include "particles/files/format.hpp"
 
 #include "particles/text/number.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 
 namespace particles {
+
+// Each in the file of its format.
+Reader read_csv, read_lammps, read_xyz;
+Writer write_csv, write_lammps, write_xyz, write_vtp;
+std::string loss_in_xyz(const ParticleSet &particles);
+
 namespace {
 
-struct NamedFormat {
-  std::string_view name;
-  Format format;
-};
+bool never(std::string_view) { return false; }
 
-constexpr NamedFormat kWords[] = {{"csv", Format::kCsv}, {"lammps", Format::kLammps}, {"xyz", Format::kXyz}};
+bool begins_lammps(std::string_view text) { return text.substr(0, 5) == "ITEM:"; }
 
-constexpr NamedFormat kEndings[] = {
-    {".csv", Format::kCsv},       {".tsv", Format::kCsv},          {".txt", Format::kCsv},
-    {".dat", Format::kCsv},       {".lammpstrj", Format::kLammps}, {".dump", Format::kLammps},
-    {".lammps", Format::kLammps}, {".xyz", Format::kXyz},          {".extxyz", Format::kXyz}};
-
-}  // namespace
-
-const char *format_name(Format format) {
-  for (const NamedFormat &entry : kWords)
-    if (entry.format == format) return entry.name.data();
-  return "unknown";
-}
-
-std::optional<Format> format_of_word(std::string_view word) {
-  for (const NamedFormat &entry : kWords)
-    if (entry.name == word) return entry.format;
-  return std::nullopt;
-}
-
-std::optional<Format> format_of_name(std::string_view path) {
-  const std::string name = lower_case(path);
-  for (const NamedFormat &entry : kEndings)
-    if (name.size() > entry.name.size() &&
-        name.compare(name.size() - entry.name.size(), std::string::npos, entry.name.data(), entry.name.size()) == 0)
-      return entry.format;
-  return std::nullopt;
-}
-
-std::optional<Format> format_of_content(std::string_view text) {
-  if (text.substr(0, 5) == "ITEM:") return Format::kLammps;
+// A whole number alone on its line.
+bool begins_xyz(std::string_view text) {
   std::string_view line = text.substr(0, text.find('\n'));
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   size_t count = 0;
-  if (read_count(trimmed(line), count)) return Format::kXyz;
-  return std::nullopt;
+  return read_count(trimmed(line), count);
+}
+
+template <class Test>
+const Format *find_format(Test test) {
+  const auto found = std::find_if(all_formats().begin(), all_formats().end(), test);
+  return found != all_formats().end() ? &*found : nullptr;
+}
+
+bool ends_with(std::string_view text, std::string_view end) {
+  return text.size() > end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+}  // namespace
+
+const std::vector<Format> &all_formats() {
+  static const std::vector<Format> formats = {
+      {"csv", "CSV", ".csv .tsv .txt .dat", "a header naming x, y, z (none in 2D) and r, radius, d or diameter", never,
+       read_csv, write_csv},
+      {"lammps", "LAMMPS text dump", ".lammpstrj .dump .lammps",
+       "ITEM: ATOMS naming x, y, z, unwrapped or scaled, and radius or diameter", begins_lammps, read_lammps,
+       write_lammps},
+      {"xyz", "extended XYZ", ".xyz .extxyz", "Properties naming pos and radius", begins_xyz, read_xyz, write_xyz,
+       loss_in_xyz},
+      {"vtp", "VTK PolyData", ".vtp", "", never, nullptr, write_vtp},
+  };
+  return formats;
+}
+
+std::vector<Format> readable_formats() {
+  std::vector<Format> readable;
+  std::copy_if(all_formats().begin(), all_formats().end(), std::back_inserter(readable),
+               [](const Format &format) { return format.read != nullptr; });
+  return readable;
+}
+
+const Format *format_of_word(std::string_view word) {
+  return find_format([&](const Format &format) { return format.name == word; });
+}
+
+const Format *format_of_name(std::string_view path) {
+  const std::string name = lower_case(path);
+  return find_format([&](const Format &format) {
+    const std::vector<std::string_view> endings = split_words(format.endings);
+    return std::any_of(endings.begin(), endings.end(), [&](std::string_view end) { return ends_with(name, end); });
+  });
+}
+
+const Format *format_of_content(std::string_view text) {
+  return find_format([&](const Format &format) { return format.begins(text); });
 }
 
 }  // namespace particles

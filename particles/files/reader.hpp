@@ -6,15 +6,14 @@
 #include "particles/files/format.hpp"
 #include "particles/particle_set.hpp"
 
-#include <optional>
 #include <string>
 
 namespace particles {
 
 struct ReadOptions {
-  std::optional<Format> format;  // nothing: by content, then by the ending of the name, then CSV
-  long frame = 0;                // of a file with several: 1 is the first, 0 the last
-  int dimension = 0;             // 0: as the file says; 2: leave z out, which must then be the same in all rows
+  const Format *format = nullptr;  // nullptr: by content, then by the ending of the name, then CSV
+  long frame = 0;                  // of a file with several: 1 is the first, 0 the last
+  int dimension = 0;               // 0: as the file says; 2: leave z out, which must then be the same in all rows
 };
 
 // Reads `path`; "-" is standard input. Shows progress on a terminal if the file is large.

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <system_error>
 
 namespace particles {
@@ -32,6 +33,12 @@ bool read_count(std::string_view text, size_t &value) {
   const char *last = text.data() + text.size();
   const std::from_chars_result result = std::from_chars(text.data(), last, value);
   return result.ec == std::errc() && result.ptr == last;
+}
+
+std::string text(double number) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.10g", number);
+  return buffer;
 }
 
 std::string in_quotes(std::string_view text) {

@@ -16,6 +16,9 @@ const char *number_fault(std::string_view text, double &value);
 // Reads all of `text` as a whole number >= 0.
 bool read_count(std::string_view text, size_t &value);
 
+// A number as it stands in messages.
+std::string text(double number);
+
 // `text` in single quotes, shortened if it is long, with unprintable bytes shown as '?'.
 std::string in_quotes(std::string_view text);
 

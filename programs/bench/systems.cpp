@@ -33,8 +33,7 @@ std::optional<packing::Request> request_of(const std::string &source, int sweeps
   if (count == std::string::npos) throw particles::Error("'" + source + "' is neither a file nor LAW:RATIO:COUNT");
   const char *text = source.c_str();
   packing::Request request;
-  request.law.law = packing::law_from_name(source.substr(0, ratio));
-  request.law.ratio = number<double>(source, text + ratio + 1, text + count);
+  request.law = packing::law_with(source.substr(0, ratio), number<double>(source, text + ratio + 1, text + count));
   request.count = number<size_t>(source, text + count + 1, text + source.size());
   request.sweeps = sweeps;
   packing::begin_packing(request);  // throws here rather than in the process that makes the packing

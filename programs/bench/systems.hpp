@@ -16,9 +16,9 @@ struct System {
   double size_ratio() const;  // largest over smallest radius
 };
 
-// A file, or LAW:RATIO:COUNT for a packing that is made here and now: the size laws of `hgrid pack` at its density, in
-// random order, thrown at random and relaxed by `sweeps` sweeps only. All axes are taken as open.
-// Throws std::exception if there is no such file or law, or no particle.
+// A file, or LAW:RATIO:COUNT for a packing that is made here and now: the size laws of `hgrid pack` (log-normal: its
+// sigma for RATIO) at its density, in random order, thrown at random and relaxed by `sweeps` sweeps only. All axes are
+// taken as open. Throws std::exception if there is no such file or law, or no particle.
 System load_system(const std::string &source, int sweeps);
 
 }  // namespace bench

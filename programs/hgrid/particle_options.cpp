@@ -4,6 +4,7 @@
 #include "programs/hgrid/particle_options.hpp"
 
 #include "particles/files/reader.hpp"
+#include "particles/text/lists.hpp"
 #include "programs/hgrid/arguments.hpp"
 
 #include <CLI/CLI.hpp>
@@ -40,13 +41,14 @@ void apply_periodic(const std::string &letters, particles::ParticleSet &particle
 
 void add_particle_options(CLI::App &command, ParticleOptions &options) {
   const char *const group = "Particles";
-  command
-      .add_option("FILE", options.file,
-                  "Particles: CSV with a header naming x, y, z (none in 2D) and r, radius, d or diameter; LAMMPS text "
-                  "dump; extended XYZ; - for standard input")
-      ->required();
-  command.add_option("--format", options.format, "csv, lammps or xyz, instead of recognising it")
-      ->check(CLI::IsMember({"csv", "lammps", "xyz"}))
+  const std::vector<particles::Format> formats = particles::readable_formats();
+  const std::vector<std::string> names = particles::names_of(formats);
+  std::string contents;
+  for (const particles::Format &format : formats)
+    contents += std::string(format.title) + " with " + format.needs + "; ";
+  command.add_option("FILE", options.file, "Particles: " + contents + "- for standard input")->required();
+  command.add_option("--format", options.format, particles::joined(names, " or ") + ", instead of recognising it")
+      ->check(CLI::IsMember(names))
       ->group(group);
   command.add_option("--frame", options.frame, "Which of several frames: 1 is the first; the last if not given")
       ->check(positive_count())
@@ -65,7 +67,7 @@ void add_particle_options(CLI::App &command, ParticleOptions &options) {
 
 particles::ParticleSet load_particles(const ParticleOptions &options) {
   particles::ReadOptions read;
-  if (!options.format.empty()) read.format = particles::format_of_word(options.format);
+  read.format = particles::format_of_word(options.format);
   read.frame = options.frame;
   read.dimension = options.dimension;
   particles::ParticleSet particles = particles::read_particles(options.file, read);

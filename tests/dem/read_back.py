@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reads what a run wrote with Python's own XML parser and numpy, and compares the two formats: read_back.py FOLDER."""
+"""Reads what a run wrote with Python's own XML parser and numpy, and compares the formats: read_back.py FOLDER."""
 
 import base64
 import glob
@@ -65,6 +65,33 @@ def read_xyz(path):
     return time, lattice.reshape(3, 3), columns
 
 
+def read_table(path):
+    """CSV or a LAMMPS dump: time and step, and its columns by their names."""
+    with open(path) as file:
+        text = file.read()
+    if path.endswith(".csv"):
+        comment = re.search(r"# step: (\d+) time: (\S+)\n", text)
+        step, time = comment.group(1), comment.group(2)
+        header, *rows = [line.split(",") for line in text.splitlines() if not line.startswith("#")]
+    else:
+        time, step = re.match(r"ITEM: TIME\n(\S+)\nITEM: TIMESTEP\n(\d+)\n", text).groups()
+        titles, body = re.search(r"ITEM: ATOMS (.*)\n([^I]*)$", text).groups()
+        header, rows = titles.split(), [line.split() for line in body.splitlines()]
+    table = np.array(rows, dtype=float)
+    return float(time), int(step), {name: table[:, k] for k, name in enumerate(header)}
+
+
+def check_table(path, names, time, points, data):
+    """`names`: the first words of what the table calls velocity and spin."""
+    other_time, step, columns = read_table(path)
+    assert other_time == time and f"{step:012d}" in path
+    for k, axis in enumerate("xyz"):
+        assert (columns[axis] == points[:, k]).all()
+        for name, own in zip(("velocity", "spin"), names):
+            assert (columns[own + axis] == data[name][:, k]).all()
+    assert (columns["radius"] == data["radius"][:, 0]).all() and (columns["mass"] == data["mass"][:, 0]).all()
+
+
 def main(folder):
     pictures = sorted(glob.glob(folder + "/state-*.vtp"))
     assert len(pictures) >= 2, pictures
@@ -79,6 +106,8 @@ def main(folder):
         assert (data["velocity"] == columns["velo"]).all()
         assert (data["mass"] == columns["mass"]).all()
         assert (data["spin"] == columns["angular_velocity"]).all()
+        check_table(path.replace(".vtp", ".csv"), ("velocity_", "spin_"), time, points, data)
+        check_table(path.replace(".vtp", ".lammps"), ("v", "omega"), time, points, data)
         for axis in (0, 1):  # the periodic axes
             assert (points[:, axis] >= 0).all() and (points[:, axis] < lattice[axis, axis]).all()
         assert np.allclose(data["mass"], 4 / 3 * np.pi * data["radius"] ** 3)

@@ -45,11 +45,16 @@ acceleration = [0, 0, -1]
 steps = 300
 [output]
 every = 0.1
-formats = ["vtp", "xyz"]
+formats = ["vtp", "xyz", "csv", "lammps"]
 checkpoint = 0.1
 TOML
 "$hgrid" run busy.toml --quiet --output whole >/dev/null
 "$python" "$here/read_back.py" whole || fail "the pictures do not read back"
+last=$(basename "$(ls whole/state-*.xyz | tail -1)" .xyz)
+for format in xyz csv lammps; do
+  "$hgrid" pairs "whole/$last.$format" --output "$format.csv" || fail "hgrid pairs does not read $last.$format"
+  cmp xyz.csv "$format.csv" || fail "$last.$format holds other contacts than $last.xyz"
+done
 
 # Stopped halfway and restarted, with another number of threads.
 "$hgrid" run busy.toml --quiet --steps 150 --output part >/dev/null

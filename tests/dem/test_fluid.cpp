@@ -7,7 +7,7 @@
 // masses: theory is asked for hard spheres that are smaller by that (Barker & Henderson, J. Chem. Phys. 47 (1967)
 // 4714). In equilibrium that is also the gap at touching which holds as many partners as are in contact. A contact of
 // reduced mass mu lasts pi sqrt(mu / k), so contacts at a time are collisions per time times their duration.
-#include "packing/event/box.hpp"
+#include "packing/box.hpp"
 #include "packing/event/growth.hpp"
 #include "packing/random.hpp"
 #include "tests/dem/bodies.hpp"

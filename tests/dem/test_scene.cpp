@@ -5,10 +5,13 @@
 #include "dem/scene/scene.hpp"
 #include "dem/scene/suggestion.hpp"
 #include "dem/scene/units.hpp"
+#include "packing/size_law.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
+#include "tests/particles/page.hpp"
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -156,6 +159,42 @@ void a_scene_says_what_it_means(void **) {
   assert_true(effects == dem::kGravity);
 }
 
+std::string packed(const std::string &keys) {
+  return "[[particles]]\npack = { count = 400, fraction = 0.3, sweeps = 1, " + keys +
+         " }\n[contact]\nstiffness = 1\n[time]\nsteps = 1\n";
+}
+
+// The largest radius of a packing of this law; the smallest is 1.
+double largest_radius(const std::string &keys) {
+  const scene::Scene scene = read(packed(keys));
+  return *std::max_element(scene.setup.radii.begin(), scene.setup.radii.end());
+}
+
+void scenes_take_every_law(void **) {
+  for (const packing::LawRow &row : packing::size_laws()) {
+    const std::string keys = std::string("law = \"") + row.name + "\"";
+    assert_int_equal(read(packed(keys + (row.takes.front().usual > 5 ? ", ratio = 5" : ""))).setup.count(), 400);
+  }
+  const double steep = largest_radius("law = \"power-law\", ratio = 5, exponent = 6");
+  const double flat = largest_radius("law = \"power-law\", ratio = 5, exponent = 2");
+  const double wide = largest_radius("law = \"log-normal\", sigma = 0.5");
+  assert_true(steep < 4 && flat > 4.9 && flat < 5);
+  assert_true(wide > 4 && wide < 5);
+  assert_true(is_refused(packed("law = \"log-normal\", ratio = 5"), ":2: particles.pack.ratio: is for two-sizes, "));
+  assert_true(
+      is_refused(packed("law = \"mono\", ratio = 5"), ":2: particles.pack.ratio: is 1 for the law mono, not 5"));
+  assert_true(
+      is_refused(packed("law = \"power-law\", exponent = 12"), ":2: particles.pack: the exponent is ", "not 12"));
+  assert_true(is_refused(packed("law = \"log-norml\""), ":2: particles.pack.law cannot be", "'log-normal'?"));
+}
+
+void outputs_take_every_format(void **) {
+  assert_true(read(basic + "[output]\nformats = [\"csv\", \"vtp\", \"lammps\"]\n").output.formats ==
+              (std::vector<std::string>{"csv", "vtp", "lammps"}));
+  assert_true(read(basic + "[output]\nevery = 1\n").output.formats == std::vector<std::string>{"vtp"});
+  assert_true(is_refused(basic + "[output]\nformats = [\"vtk\"]\n", ":10: output.formats cannot be 'vtk'"));
+}
+
 void words_are_compared_by_edits(void **) {
   assert_int_equal(scene::edit_distance("kitten", "sitting"), 3);
   assert_int_equal(scene::edit_distance("axse", "axes"), 1);
@@ -174,6 +213,8 @@ int main() {
       cmocka_unit_test(units_are_turned_to_si),
       cmocka_unit_test(wrong_units_are_refused),
       cmocka_unit_test(a_scene_says_what_it_means),
+      cmocka_unit_test(scenes_take_every_law),
+      cmocka_unit_test(outputs_take_every_format),
       cmocka_unit_test(words_are_compared_by_edits),
   };
   return cmocka_run_group_tests_name("scene", tests, nullptr, nullptr);

@@ -3,12 +3,13 @@
 // Functions of plain arithmetic against the C library, and arrangements against the shares that define them.
 #include "packing/arrangement.hpp"
 #include "packing/portable_math.hpp"
+#include "particles/error.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
+#include "tests/particles/page.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -61,25 +62,20 @@ void plain_arithmetic(void **) {
   assert_true(ok);
 }
 
-packing::Container box(int dimension) {
-  packing::Container container;
-  container.dimension = dimension;
-  container.edge = 10;
-  return container;
-}
+packing::Box box_of(int dimension) { return packing::Box(dimension, packing::Vector::Constant(10), {}); }
 
 // The share of throws of which `where` is true; all must lie in the box.
 template <class Where>
 double share(Arrangement arrangement, int dimension, Where where) {
-  const packing::Container container = box(dimension);
+  const packing::Box box = box_of(dimension);
   packing::Random random(kSeed);
-  packing::Thrower thrower(arrangement, container, random);
+  packing::Thrower thrower(arrangement, box, random);
   int inside = 0;
   for (int i = 0; i < kThrows; i++) {
     double x[3] = {0, 0, 0};
     thrower(0.01, x);
-    for (int k = 0; k < dimension; k++) {
-      if (!(x[k] >= 0.01 && x[k] <= 9.99)) return -1;
+    for (int axis = 0; axis < dimension; axis++) {
+      if (!(x[axis] >= 0.01 && x[axis] <= 9.99)) return -1;
     }
     inside += where(x) ? 1 : 0;
   }
@@ -88,7 +84,7 @@ double share(Arrangement arrangement, int dimension, Where where) {
 
 double distance_from_middle(const double *x, int dimension) {
   double square = 0;
-  for (int k = 0; k < dimension; k++) square += (x[k] - 5) * (x[k] - 5);
+  for (int axis = 0; axis < dimension; axis++) square += (x[axis] - 5) * (x[axis] - 5);
   return std::sqrt(square);
 }
 
@@ -116,9 +112,9 @@ void arrangements_hold_their_shares(void **) {
 
 // The share of pairs of throws nearer to each other than `reach`.
 double close_share(double reach) {
-  const packing::Container container = box(3);
+  const packing::Box box = box_of(3);
   packing::Random random(kSeed);
-  packing::Thrower thrower(Arrangement::kClusters, container, random);
+  packing::Thrower thrower(Arrangement::kClusters, box, random);
   constexpr int kCount = 4000;
   std::vector<double> x(3 * kCount, 0.0);
   for (int i = 0; i < kCount; i++) thrower(0, &x[3 * static_cast<size_t>(i)]);
@@ -126,7 +122,10 @@ double close_share(double reach) {
   for (size_t i = 0; i < kCount; i++) {
     for (size_t j = 0; j < i; j++) {
       double square = 0;
-      for (size_t k = 0; k < 3; k++) square += (x[3 * i + k] - x[3 * j + k]) * (x[3 * i + k] - x[3 * j + k]);
+      for (size_t axis = 0; axis < 3; axis++) {
+        const double difference = x[3 * i + axis] - x[3 * j + axis];
+        square += difference * difference;
+      }
       close += square < reach * reach ? 1 : 0;
     }
   }
@@ -136,7 +135,7 @@ double close_share(double reach) {
 bool clusters_are_plummer_spheres() {
   // Mean of (1 + u^2)^(-5/2) over the mass: 3 * integral of u^2 (1 + u^2)^-5 = 3 * 5 pi / 256.
   const double mean = 15 * M_PI / 256, reach = 0.05;
-  const double density = mean / (1000 * packing::volume_share(Arrangement::kClusters, 3));
+  const double density = mean / (1000 * packing::row_of(Arrangement::kClusters).share(3));
   const double expected = density * 4 * M_PI / 3 * reach * reach * reach;
   return near("close pairs", reach, close_share(reach), expected, 0.1);
 }
@@ -147,24 +146,37 @@ void clusters(void **) {
 }
 
 void volumes(void **) {
-  assert_true(packing::volume_share(Arrangement::kEven, 3) == 1);
-  assert_true(std::fabs(packing::volume_share(Arrangement::kShell, 3) - 4 * M_PI * 0.16 * 0.02) < 1e-4);
-  assert_true(std::fabs(packing::volume_share(Arrangement::kShell, 2) - 2 * M_PI * 0.4 * 0.02) < 1e-12);
-  assert_true(std::fabs(packing::volume_share(Arrangement::kClusters, 2) - 20 * M_PI * 0.0004) < 1e-12);
+  assert_true(packing::row_of(Arrangement::kEven).share(3) == 1);
+  assert_true(std::fabs(packing::row_of(Arrangement::kShell).share(3) - 4 * M_PI * 0.16 * 0.02) < 1e-4);
+  assert_true(std::fabs(packing::row_of(Arrangement::kShell).share(2) - 2 * M_PI * 0.4 * 0.02) < 1e-12);
+  assert_true(std::fabs(packing::row_of(Arrangement::kClusters).share(2) - 20 * M_PI * 0.0004) < 1e-12);
 }
 
 bool refuses_heap() {
   try {
     packing::arrangement_from_name("heap");
-  } catch (const std::invalid_argument &error) {
+  } catch (const particles::Error &error) {
     return std::string(error.what()).find("'heap'") != std::string::npos;
   }
   return false;
 }
 
+// docs/guide/command.md has a line for every row of the table.
+bool page_tells_all() {
+  for (const packing::ArrangementRow &row : packing::arrangements()) {
+    if (!test::page_has(HGRID_COMMAND_PAGE, std::string("| ") + row.name + " | " + row.places + " |\n")) return false;
+  }
+  return true;
+}
+
+void the_page_tells_every_arrangement(void **) {
+  const bool ok = page_tells_all();
+  assert_true(ok);
+}
+
 void names(void **) {
-  assert_true(packing::arrangement_from_name("even") == Arrangement::kEven);
-  assert_true(packing::arrangement_from_name("crowded") == Arrangement::kCrowded);
+  for (const packing::ArrangementRow &row : packing::arrangements())
+    assert_true(packing::arrangement_from_name(row.name) == row.arrangement);
   const bool ok = refuses_heap();
   assert_true(ok);
 }
@@ -178,6 +190,7 @@ int main() {
       cmocka_unit_test(clusters),
       cmocka_unit_test(volumes),
       cmocka_unit_test(names),
+      cmocka_unit_test(the_page_tells_every_arrangement),
   };
   return cmocka_run_group_tests_name("arrangement", tests, nullptr, nullptr);
 }

@@ -193,13 +193,11 @@ void packings_stay_what_they_were(void **) {
 
 // Two disks at one place: each goes its way along x by its share of the push.
 bool coincident_centers_part() {
-  packing::Container container;
-  container.dimension = 2;
-  container.edge = 20;
-  particles::ParticleSet set = container.empty_set();
+  const packing::Box box(2, packing::Vector::Constant(20), {});
+  particles::ParticleSet set = box.empty_set();
   set.centers = {10, 10, 10, 10};
   set.radii = {1, 1};
-  const packing::Overlaps left = packing::relax(container, 60, nullptr, set);
+  const packing::Overlaps left = packing::relax(box, 60, nullptr, set);
   return left.largest < 1e-6 && set.centers[0] < 9.1 && set.centers[2] > 10.9 && set.centers[1] == 10 &&
          set.centers[3] == 10;
 }
@@ -211,15 +209,13 @@ void coincident_centers(void **) {
 
 // The pushes of one contact leave the centre of mass, masses ~ r^d, where it was.
 bool center_of_mass_stays(int dimension) {
-  packing::Container container;
-  container.dimension = dimension;
-  container.edge = 100;
-  particles::ParticleSet set = container.empty_set();
+  const packing::Box box(dimension, packing::Vector::Constant(100), {});
+  particles::ParticleSet set = box.empty_set();
   const size_t d = static_cast<size_t>(dimension);
   set.centers.assign(2 * d, 50.0);
   set.centers[d] = 53.9;
   set.radii = {3, 1};
-  packing::relax(container, 1, nullptr, set);
+  packing::relax(box, 1, nullptr, set);
   const double heavy = dimension == 2 ? 9 : 27;
   const double before = heavy * 50 + 53.9, after = heavy * set.centers[0] + set.centers[d];
   return set.centers[d] > 53.9 && set.centers[0] < 50 && std::fabs(after - before) < 1e-9;
@@ -262,8 +258,10 @@ bool refuses_nonsense() {
          refuses_after([](Request &r) { r.law.dimension = 4; }, "not 4") &&
          refuses_after([](Request &r) { r.offset = 1; }, "[0, 1)") &&
          refuses_after([](Request &r) { r.sweeps = -1; }, "-1") &&
-         refuses_after([](Request &r) { r.law.exponent = 1; }, "2 to 9, not 1") &&
-         refuses_after([](Request &r) { r.law.sigma = NAN; }, "not at nan") &&
+         refuses_after([](Request &r) { r.law = packing::law_with("power-law", 8), r.law.exponent = 1; }, "9, not 1") &&
+         refuses_after([](Request &r) { r.law = packing::law_with("power-law", 8), r.law.exponent = 2.5; },
+                       "not 2.5") &&
+         refuses_after([](Request &r) { r.law = packing::law_with("log-normal", NAN); }, "up to 3, not nan") &&
          refuses_after(
              [](Request &r) {
                r.law = {Law::kTwoSizes, 50, 3};

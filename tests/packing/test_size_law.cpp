@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The size laws against closed forms and reference values of the paper's systems.
 #include "packing/size_law.hpp"
+#include "particles/error.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
+#include "tests/particles/page.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -97,7 +100,8 @@ void moments(void **) {
 // p(r) ~ r^-a: <r^n> = (a-1)/(a-1-n) (1 - omega^(n+1-a)) / (1 - omega^(1-a)), with a logarithm at n = a - 1.
 bool moments_of_power_law(int a) {
   const double omega = 20;
-  const std::vector<double> radii = packing::sample_radii({Law::kPowerLaw, omega, 3, a}, kCount, 0.5);
+  const std::vector<double> radii =
+      packing::sample_radii({Law::kPowerLaw, omega, 3, static_cast<double>(a)}, kCount, 0.5);
   const double norm = (1 - std::pow(omega, 1 - a)) / (a - 1);
   for (int n = 1; n <= 3; n++) {
     const double integral = n == a - 1 ? std::log(omega) : (std::pow(omega, n + 1 - a) - 1) / (n + 1 - a);
@@ -171,13 +175,19 @@ bool two_sizes_hold_equal_volume() {
   const SizeLaw law{Law::kTwoSizes, 10, 3};
   const std::vector<double> radii = packing::sample_radii(law, kCount, 0.5);
   const auto large = std::count(radii.begin(), radii.end(), 10.0), small = std::count(radii.begin(), radii.end(), 1.0);
-  return packing::large_count(law, kCount) == 125 && large == 125 && small == 124876;
+  return large == 125 && small == 124876;
+}
+
+bool two_sizes_in_the_plane() {
+  const std::vector<double> radii = packing::sample_radii({Law::kTwoSizes, 10, 2}, 1010, 0.5);
+  return std::count(radii.begin(), radii.end(), 10.0) == 10 && radii[999] == 1 && radii[1000] == 10;
 }
 
 void two_sizes(void **) {
-  const bool ok = two_sizes_hold_equal_volume();
+  bool ok = two_sizes_hold_equal_volume();
   assert_true(ok);
-  assert_true(packing::large_count({Law::kTwoSizes, 10, 2}, 1010) == 10);
+  ok = two_sizes_in_the_plane();
+  assert_true(ok);
 }
 
 bool mono_is_all_ones() {
@@ -208,20 +218,74 @@ void offset(void **) {
 
 bool refuses_name(const std::string &name) {
   try {
-    packing::law_from_name(name);
-  } catch (const std::invalid_argument &error) {
-    return std::string(error.what()).find("'" + name + "'") != std::string::npos;
+    packing::usual_law(name);
+  } catch (const particles::Error &error) {
+    return std::string(error.what()) == "no size law is called '" + name +
+                                            "': use one of mono, two-sizes, uniform-size, uniform-volume, power-law, "
+                                            "log-normal, one-giant";
   }
   return false;
 }
 
+// A name gives its law with values that are allowed.
+bool every_law_is_usual() {
+  for (const packing::LawRow &row : packing::size_laws()) {
+    const SizeLaw law = packing::usual_law(row.name);
+    const std::string fault = packing::law_fault(law, kCount);
+    if (law.law == row.law && fault.empty()) continue;
+    std::fprintf(stderr, "%s: %s\n", row.name, fault.c_str());
+    return false;
+  }
+  return packing::usual_law("two-sizes").ratio == 10 && packing::usual_law("uniform-volume").ratio == 50 &&
+         packing::law_with("log-normal", 0.5).sigma == 0.5 && packing::law_with("power-law", 7).ratio == 7;
+}
+
 void names(void **) {
-  assert_true(packing::law_from_name("uniform-size") == Law::kUniformSize);
-  assert_true(packing::law_from_name("two-sizes") == Law::kTwoSizes);
-  assert_true(packing::law_from_name("power-law") == Law::kPowerLaw);
-  assert_true(packing::law_from_name("log-normal") == Law::kLogNormal);
-  assert_true(packing::law_from_name("one-giant") == Law::kOneGiant);
-  const bool ok = refuses_name("normal");
+  bool ok = every_law_is_usual();
+  assert_true(ok);
+  ok = refuses_name("normal");
+  assert_true(ok);
+}
+
+const packing::LawParameter &parameter(const std::string &name) {
+  for (const packing::LawParameter *found : packing::law_parameters())
+    if (found->name == name) return *found;
+  throw particles::Error("no parameter " + name);
+}
+
+bool setting_says(const std::string &law, const std::string &name, double value, const std::string &expected) {
+  SizeLaw set = packing::usual_law(law);
+  const std::string found = packing::set_parameter(set, parameter(name), value);
+  if (found == expected && (!found.empty() || set.*parameter(name).value == value)) return true;
+  std::fprintf(stderr, "%s of %s: %s\n", name.c_str(), law.c_str(), found.c_str());
+  return false;
+}
+
+// A law takes its own parameters only.
+void parameters(void **) {
+  assert_true(setting_says("power-law", "exponent", 4, ""));
+  assert_true(setting_says("power-law", "ratio", 4, ""));
+  assert_true(setting_says("mono", "ratio", 1, ""));
+  assert_true(setting_says("mono", "ratio", 3, "is 1 for the law mono, not 3"));
+  assert_true(setting_says("mono", "exponent", 4, "is for power-law, not for the law mono"));
+  assert_true(setting_says("log-normal", "ratio", 4,
+                           "is for two-sizes, uniform-size, uniform-volume, power-law, one-giant, not for the law "
+                           "log-normal"));
+  assert_string_equal(packing::describe(parameter("exponent")).c_str(),
+                      "power-law: a of p(r) ~ r^-a, a whole number, 2 to 9");
+  assert_string_equal(packing::usual_values(parameter("ratio")).c_str(), "50; mono: 1; two-sizes: 10; one-giant: 10");
+}
+
+// docs/guide/command.md has a line for every row of the table.
+bool page_tells_all() {
+  for (const packing::LawRow &row : packing::size_laws()) {
+    if (!test::page_has(HGRID_COMMAND_PAGE, std::string("| ") + row.name + " | " + row.radii + " |\n")) return false;
+  }
+  return true;
+}
+
+void the_page_tells_every_law(void **) {
+  const bool ok = page_tells_all();
   assert_true(ok);
 }
 
@@ -241,6 +305,8 @@ int main() {
       cmocka_unit_test(mono),
       cmocka_unit_test(offset),
       cmocka_unit_test(names),
+      cmocka_unit_test(parameters),
+      cmocka_unit_test(the_page_tells_every_law),
   };
   return cmocka_run_group_tests_name("size_law", tests, nullptr, nullptr);
 }

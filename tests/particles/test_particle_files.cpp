@@ -3,7 +3,9 @@
 // What all formats share: recognition, files that cannot be read or written, and every double surviving the round trip.
 #include "particles/files/writer.hpp"
 #include "particles/text/output.hpp"
+#include "particles/text/text_file.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
+#include "tests/particles/page.hpp"
 #include "tests/particles/reading.hpp"
 
 #include <cmath>
@@ -43,30 +45,32 @@ particles::ParticleSet random_set(int dimension, size_t count) {
   return set;
 }
 
-bool survives(particles::Format format, const particles::ParticleSet &set, const particles::ReadOptions &options = {}) {
+const particles::Format &format(const char *word) { return *particles::format_of_word(word); }
+
+bool survives(const particles::Format &format, const particles::ParticleSet &set,
+              const particles::ReadOptions &options = {}) {
   const test::ScratchFile file(".any", "");
   particles::write_particles(file.name(), format, set);
   const particles::ParticleSet found = particles::read_particles(file.name(), options);
   if (test::same(found, set)) return true;
-  std::fprintf(stderr, "format %s, dimension %d, seed %llu: not the same\n", particles::format_name(format),
-               set.dimension, static_cast<unsigned long long>(kSeed));
+  std::fprintf(stderr, "format %s, dimension %d, seed %llu: not the same\n", format.name, set.dimension,
+               static_cast<unsigned long long>(kSeed));
   return false;
 }
 
 void round_trip_without_box(void **) {
-  bool ok = survives(particles::Format::kCsv, random_set(3, 500));
+  bool ok = survives(format("csv"), random_set(3, 500));
   assert_true(ok);
-  ok = survives(particles::Format::kXyz, random_set(3, 500));
+  ok = survives(format("xyz"), random_set(3, 500));
   assert_true(ok);
-  ok = survives(particles::Format::kCsv, random_set(2, 500));
+  ok = survives(format("csv"), random_set(2, 500));
   assert_true(ok);
 }
 
 void round_trip_with_box(void **) {
   particles::ReadOptions flat;
   flat.dimension = 2;
-  for (const particles::Format format :
-       {particles::Format::kCsv, particles::Format::kLammps, particles::Format::kXyz}) {
+  for (const particles::Format &format : particles::readable_formats()) {
     bool ok = survives(format, with_box(random_set(3, 500), {0, 0, -0.5}, {0.1, 1e-300, 0.5}, {1, 0, 1}));
     assert_true(ok);
     ok = survives(format, with_box(random_set(2, 500), {0, -8, 0}, {0.3, 8, 0}, {1, 0, 0}), flat);
@@ -77,7 +81,7 @@ void round_trip_with_box(void **) {
 // No box: a dump must have bounds all the same, those of the spheres.
 bool lammps_bounds_enclose_the_spheres() {
   const test::ScratchFile file(".dump", "");
-  particles::write_particles(file.name(), particles::Format::kLammps, test::set_of(3, {0, 1, 2, 8, 1, -2}, {0.5, 1}));
+  particles::write_particles(file.name(), format("lammps"), test::set_of(3, {0, 1, 2, 8, 1, -2}, {0.5, 1}));
   const particles::ParticleSet found = particles::read_particles(file.name());
   return test::same(found,
                     with_box(test::set_of(3, {0, 1, 2, 8, 1, -2}, {0.5, 1}), {-0.5, 0, -3}, {9, 2, 2.5}, {0, 0, 0}));
@@ -92,7 +96,7 @@ void lammps_without_box(void **) {
 bool xyz_refuses_a_box_it_would_change() {
   const test::ScratchFile file(".xyz", "kept");
   try {
-    particles::write_particles(file.name(), particles::Format::kXyz,
+    particles::write_particles(file.name(), format("xyz"),
                                with_box(test::set_of(3, {0.5, 0.5, 0.5}, {0.1}), {0, -0.7, 0}, {1, 0.9, 1}, {0, 1, 0}));
   } catch (const particles::Error &error) {
     return std::string(error.what()).find("axis y") != std::string::npos &&
@@ -106,27 +110,33 @@ void xyz_box_is_kept_or_refused(void **) {
   assert_true(ok);
 }
 
+bool is(const particles::Format *found, const char *word) { return found == &format(word); }
+
 void formats_are_recognised(void **) {
-  assert_true(particles::format_of_name("a.csv") == particles::Format::kCsv);
-  assert_true(particles::format_of_name("b.XYZ") == particles::Format::kXyz);
-  assert_true(particles::format_of_name("dir.csv/c.lammpstrj") == particles::Format::kLammps);
-  assert_false(particles::format_of_name("csv").has_value());
-  assert_true(particles::format_of_content("ITEM: TIMESTEP\n") == particles::Format::kLammps);
-  assert_true(particles::format_of_content("12\r\nProperties") == particles::Format::kXyz);
-  assert_false(particles::format_of_content("x,y,z\n").has_value());
-  for (const particles::Format format : {particles::Format::kCsv, particles::Format::kLammps, particles::Format::kXyz})
-    assert_true(particles::format_of_word(particles::format_name(format)) == format);
-  assert_false(particles::format_of_word("pdb").has_value());
+  assert_true(is(particles::format_of_name("a.csv"), "csv"));
+  assert_true(is(particles::format_of_name("b.XYZ"), "xyz"));
+  assert_true(is(particles::format_of_name("dir.csv/c.lammpstrj"), "lammps"));
+  assert_null(particles::format_of_name("csv"));
+  assert_null(particles::format_of_name(".csv"));
+  assert_true(is(particles::format_of_content("ITEM: TIMESTEP\n"), "lammps"));
+  assert_true(is(particles::format_of_content("12\r\nProperties"), "xyz"));
+  assert_null(particles::format_of_content("x,y,z\n"));
+  // Its name is one of its endings: files of a run are called so.
+  for (const particles::Format &format : particles::all_formats()) {
+    assert_true(is(particles::format_of_word(format.name), format.name));
+    assert_true(is(particles::format_of_name(std::string("state.") + format.name), format.name));
+  }
+  assert_null(particles::format_of_word("pdb"));
 }
 
 void a_forced_format_wins(void **) {
   particles::ReadOptions csv;
-  csv.format = particles::Format::kCsv;
+  csv.format = &format("csv");
   bool ok = refuses(".csv", "3\nProperties=pos:R:3\n",
                     "1: the first line must name the columns (such as x,y,z,radius), but it holds '3'", csv);
   assert_true(ok);
   particles::ReadOptions xyz;
-  xyz.format = particles::Format::kXyz;
+  xyz.format = &format("xyz");
   ok = refuses(".csv", "x,y,z,r\n", "1: the number of particles should stand here, not 'x,y,z,r'", xyz);
   assert_true(ok);
 }
@@ -141,6 +151,71 @@ bool refuses_path(const std::string &path, const std::string &message) {
   return false;
 }
 
+// Two disks of a simulation in a flat box, one of which nothing moves.
+particles::ParticleSet disks_in_motion() {
+  particles::ParticleSet set = with_box(test::set_of(2, {0, 1, 2, 3}, {0.5, 0.25}), {0, 0, 0}, {4, 5, 1}, {1, 0, 0});
+  set.columns = {{"velocity", 3, {1, 2, 0, 3, 4, 0}}, {"mass", 1, {7, INFINITY}}, {"spin", 3, {0, 0, 8, 0, 0, 9}}};
+  set.moment = particles::Moment{40, 0.125};
+  return set;
+}
+
+std::string text_of(const char *word, const particles::ParticleSet &set) {
+  const test::ScratchFile file(".any", "");
+  particles::write_particles(file.name(), format(word), set);
+  return particles::load_text(file.name()).text;
+}
+
+// Each format names the columns as its readers know them. Only CSV is for readers that know infinity.
+void further_columns_are_written(void **) {
+  assert_string_equal(text_of("csv", disks_in_motion()).c_str(),
+                      "# box: 0 0 0 4 5 1 periodic 1 0 0\n# step: 40 time: 0.125\n"
+                      "x,y,radius,velocity_x,velocity_y,velocity_z,mass,spin_x,spin_y,spin_z\n"
+                      "0,1,0.5,1,2,0,7,0,0,8\n2,3,0.25,3,4,0,inf,0,0,9\n");
+  assert_string_equal(text_of("lammps", disks_in_motion()).c_str(),
+                      "ITEM: TIME\n0.125\nITEM: TIMESTEP\n40\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp ff ff\n"
+                      "0 4\n0 5\n0 1\nITEM: ATOMS id type x y z radius vx vy vz mass omegax omegay omegaz\n"
+                      "1 1 0 1 0 0.5 1 2 0 7 0 0 8\n2 1 2 3 0 0.25 3 4 0 0 0 0 9\n");
+  assert_string_equal(text_of("xyz", disks_in_motion()).c_str(),
+                      "2\nLattice=\"4 0 0 0 5 0 0 0 1\" Origin=\"0 0 0\" Properties=species:S:1:pos:R:3:radius:R:1:"
+                      "velo:R:3:mass:R:1:angular_velocity:R:3 Time=0.125 pbc=\"T F F\"\n"
+                      "X 0 1 0 0.5 1 2 0 7 0 0 8\nX 2 3 0 0.25 3 4 0 0 0 0 9\n");
+}
+
+// Readers pass over them.
+bool columns_are_skipped() {
+  particles::ReadOptions flat;
+  flat.dimension = 2;
+  particles::ParticleSet expected = disks_in_motion();
+  expected.box_max[2] = 0;
+  for (const particles::Format &format : particles::readable_formats()) {
+    const test::ScratchFile file(".any", text_of(format.name, disks_in_motion()));
+    if (test::same(particles::read_particles(file.name(), flat), expected)) continue;
+    std::fprintf(stderr, "format %s: not the same\n", format.name);
+    return false;
+  }
+  return true;
+}
+
+void further_columns_are_not_read(void **) {
+  const bool ok = columns_are_skipped();
+  assert_true(ok);
+}
+
+// docs/guide/command.md has a line for every row of the table.
+bool page_tells_all() {
+  for (const particles::Format &format : particles::all_formats()) {
+    const std::string needs = format.read != nullptr ? format.needs : "only written, never read";
+    const std::string line = std::string("| ") + format.name + " | " + format.title + " | " + format.endings + " | ";
+    if (!test::page_has(HGRID_COMMAND_PAGE, line + needs + " |\n")) return false;
+  }
+  return true;
+}
+
+void the_page_tells_every_format(void **) {
+  const bool ok = page_tells_all();
+  assert_true(ok);
+}
+
 void unreadable_files_are_refused(void **) {
   bool ok = refuses(".csv", "", " the file is empty");
   assert_true(ok);
@@ -148,11 +223,13 @@ void unreadable_files_are_refused(void **) {
   assert_true(ok);
   ok = refuses_path(".", ".: cannot read: Is a directory");
   assert_true(ok);
+  ok = refuses(".vtp", "<?xml", " VTK PolyData is only written, never read");
+  assert_true(ok);
 }
 
 bool refuses_output(const std::string &path, const std::string &message) {
   try {
-    particles::write_particles(path, particles::Format::kCsv, test::set_of(3, {0, 0, 0}, {1}));
+    particles::write_particles(path, format("csv"), test::set_of(3, {0, 0, 0}, {1}));
   } catch (const particles::Error &error) {
     if (error.what() == message) return true;
     std::fprintf(stderr, "refused with %s\n", error.what());
@@ -196,7 +273,8 @@ int main() {
       cmocka_unit_test(lammps_without_box),           cmocka_unit_test(xyz_box_is_kept_or_refused),
       cmocka_unit_test(formats_are_recognised),       cmocka_unit_test(a_forced_format_wins),
       cmocka_unit_test(unreadable_files_are_refused), cmocka_unit_test(unwritable_files_are_reported),
-      cmocka_unit_test(output_keeps_everything),
+      cmocka_unit_test(further_columns_are_written),  cmocka_unit_test(further_columns_are_not_read),
+      cmocka_unit_test(output_keeps_everything),      cmocka_unit_test(the_page_tells_every_format),
   };
   return cmocka_run_group_tests_name("particle_files", tests, nullptr, nullptr);
 }

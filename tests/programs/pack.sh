@@ -34,6 +34,8 @@ for name in one.lammpstrj one.dump one.xyz one.extxyz; do
   works "${small[@]}" --output "$name"
   [ "$(contacts "$name")" = "$reported" ] || fault "$name has $(contacts "$name") contacts, not $reported"
 done
+works "${small[@]}" --output one.vtp
+grep -q 'NumberOfPoints="3000"' one.vtp || fault "one.vtp: $(head -c 300 one.vtp)"
 "$hgrid" "${small[@]}" --output - --format csv 2>err.txt | cmp -s - one.csv || fault "standard output is not the file"
 
 works pack --law two-sizes --count 2000 --dimension 2 --periodic xy --output disks.csv
@@ -46,9 +48,9 @@ works pack --law one-giant --count 500 --ratio 5 --sweeps 5 --output giant.csv
 for arrangement in clusters film shell crowded; do
   works pack --law mono --count 500 --arrangement $arrangement --density 0.2 --sweeps 0 --output $arrangement.csv
 done
-fails 2 "only the law power-law" pack --law mono --exponent 4 --output x.csv
-fails 2 "only the law log-normal" pack --sigma 1 --output x.csv
-fails 2 "takes --sigma" pack --law log-normal --ratio 4 --output x.csv
+fails 2 "--exponent: is for power-law, not for the law mono" pack --law mono --exponent 4 --output x.csv
+fails 2 "--sigma: is for log-normal, not for the law uniform-volume" pack --sigma 1 --output x.csv
+fails 2 "one-giant, not for the law log-normal" pack --law log-normal --ratio 4 --output x.csv
 fails 1 "2 to 9, not 12" pack --law power-law --exponent 12 --output x.csv
 fails 2 "heap" pack --arrangement heap --output x.csv
 # Grown packings: no overlap, whatever the axes; the same seed, the same bytes.
@@ -90,7 +92,7 @@ compgen -G '*.partial*' >/dev/null && fault "a partial file is left: $(ls)"
 fails 1 "not 0.5" pack --ratio 0.5 --output x.csv
 fails 1 "more than 10 particles" pack --law two-sizes --count 10 --output x.csv
 fails 2 "normal" pack --law normal --output x.csv
-fails 2 "one size only" pack --law mono --ratio 3 --output x.csv
+fails 2 "--ratio: is 1 for the law mono, not 3" pack --law mono --ratio 3 --output x.csv
 fails 2 "no ending" pack --output x.unknown
 fails 2 "'xx'" pack --periodic xx --output x.csv
 fails 2 "'z'" pack --periodic z --dimension 2 --output x.csv

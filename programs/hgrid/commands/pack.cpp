@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // `hgrid pack`: makes a packing of a size law and writes it to a particle file.
-#include "packing/growth.hpp"
+#include "packing/event/grown_packing.hpp"
 #include "packing/packing.hpp"
 #include "particles/error.hpp"
 #include "particles/files/writer.hpp"
+#include "particles/text/lists.hpp"
+#include "particles/text/number.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/hgrid/growth_line.hpp"
 #include "programs/hgrid/interrupt.hpp"
@@ -16,7 +18,6 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,9 +33,7 @@ struct PackOptions {
   std::optional<double> growth_rate;
   std::string law = "uniform-volume";
   std::string arrangement = "even";
-  std::optional<double> ratio;
-  std::optional<int> exponent;
-  std::optional<double> sigma;
+  std::vector<std::optional<double>> law_values;  // in the order of packing::law_parameters()
   std::optional<double> offset;
   bool random_offset = false;
   std::string periodic;
@@ -42,30 +41,15 @@ struct PackOptions {
   std::string format;
 };
 
-constexpr double kUsualRatio = 50;
-constexpr double kUsualRatioOfFewSizes = 10;
-
 packing::SizeLaw law_of(const PackOptions &options) {
-  using packing::Law;
-  packing::SizeLaw law = options.request.law;
-  law.law = packing::law_from_name(options.law);
-  if (law.law == Law::kMono) {
-    if (options.ratio.value_or(1) != 1) throw CLI::ValidationError("--ratio", "the law mono has one size only");
-    law.ratio = 1;
-  } else if (law.law == Law::kLogNormal) {
-    if (options.ratio) throw CLI::ValidationError("--ratio", "the law log-normal takes --sigma instead");
-  } else {
-    const bool few_sizes = law.law == Law::kTwoSizes || law.law == Law::kOneGiant;
-    law.ratio = options.ratio.value_or(few_sizes ? kUsualRatioOfFewSizes : kUsualRatio);
+  packing::SizeLaw law = packing::usual_law(options.law);
+  law.dimension = options.request.law.dimension;
+  for (size_t k = 0; k < options.law_values.size(); k++) {
+    if (!options.law_values[k]) continue;
+    const packing::LawParameter &parameter = *packing::law_parameters()[k];
+    const std::string fault = packing::set_parameter(law, parameter, *options.law_values[k]);
+    if (!fault.empty()) throw CLI::ValidationError(std::string("--") + parameter.name, fault);
   }
-  if (options.exponent && law.law != Law::kPowerLaw) {
-    throw CLI::ValidationError("--exponent", "only the law power-law has one");
-  }
-  if (options.sigma && law.law != Law::kLogNormal) {
-    throw CLI::ValidationError("--sigma", "only the law log-normal has one");
-  }
-  law.exponent = options.exponent.value_or(law.exponent);
-  law.sigma = options.sigma.value_or(law.sigma);
   return law;
 }
 
@@ -84,27 +68,27 @@ packing::Request request_of(const PackOptions &options) {
   request.offset = options.offset.value_or(request.offset);
   request.random_offset = options.random_offset;
   for (const char axis : options.periodic) {
-    const size_t k = static_cast<size_t>(axis - 'x');
-    if (axis < 'x' || axis > 'z' || k >= static_cast<size_t>(request.law.dimension) || request.periodic[k]) {
+    const auto place = static_cast<size_t>(axis - 'x');
+    if (axis < 'x' || axis > 'z' || place >= static_cast<size_t>(request.law.dimension) || request.periodic[place]) {
       throw CLI::ValidationError("--periodic",
                                  "'" + options.periodic + "' does not name axes of this packing, each once");
     }
-    request.periodic[k] = true;
+    request.periodic[place] = true;
   }
   return request;
 }
 
-particles::Format format_of(const PackOptions &options) {
-  const std::optional<particles::Format> format =
+const particles::Format &format_of(const PackOptions &options) {
+  const particles::Format *format =
       options.format.empty() ? particles::format_of_name(options.output) : particles::format_of_word(options.format);
-  if (!format) {
+  if (format == nullptr) {
     throw CLI::ValidationError("--output", "'" + options.output + "' has no ending that tells a format: add --format");
   }
   return *format;
 }
 
 // The file appears under its name only when it is complete.
-void write_whole(const std::string &path, particles::Format format, const particles::ParticleSet &particles) {
+void write_whole(const std::string &path, const particles::Format &format, const particles::ParticleSet &particles) {
   if (path == "-") return particles::write_particles(path, format, particles);
   const std::string partial = path + ".partial-" + std::to_string(getpid());
   try {
@@ -152,7 +136,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void relax(const PackOptions &options, const packing::Request &request, particles::Format format) {
+void relax(const PackOptions &options, const packing::Request &request, const particles::Format &format) {
   const auto start = std::chrono::steady_clock::now();
   packing::Packing packing;
   {
@@ -181,21 +165,19 @@ void print_growth(const PackOptions &options, const packing::event::GrowthResult
 void report_early_end(const PackOptions &options, const packing::event::GrowthResult &growth) {
   using packing::event::GrowthEnd;
   if (growth.end == GrowthEnd::kDone) return;
-  char density[32];
-  std::snprintf(density, sizeof density, "%.6g", growth.density);
   const std::string what = growth.end == GrowthEnd::kStopped ? "stopped" : "jammed";
   const std::string advice = growth.end == GrowthEnd::kStopped ? "" : "; try a lower --growth-rate";
-  throw particles::Error("the growth was " + what + " at density " + density + "; " + options.output +
-                         " holds its state, without overlaps" + advice);
+  throw particles::Error("the growth was " + what + " at density " + particles::text(growth.density) + "; " +
+                         options.output + " holds its state, without overlaps" + advice);
 }
 
-void grow(const PackOptions &options, const packing::Request &request, particles::Format format) {
+void grow(const PackOptions &options, const packing::Request &request, const particles::Format &format) {
   const auto start = std::chrono::steady_clock::now();
-  packing::GrownPacking packing;
+  packing::event::GrownPacking packing;
   {
     const Interrupt interrupt;
     GrowthLine line;
-    packing = packing::grow_packing(request, options.growth_rate.value_or(0), [&](const auto &progress) {
+    packing = packing::event::grow_packing(request, options.growth_rate.value_or(0), [&](const auto &progress) {
       line.show(progress);
       return !interrupt.requested();
     });
@@ -208,12 +190,45 @@ void grow(const PackOptions &options, const packing::Request &request, particles
 
 void run_pack(const PackOptions &options) {
   const packing::Request request = request_of(options);
-  const particles::Format format = format_of(options);
+  const particles::Format &format = format_of(options);
   if (options.method == "event") {
     grow(options, request, format);
   } else {
     relax(options, request, format);
   }
+}
+
+// "What they are:" and a line for each row of a table.
+template <class Row>
+std::string described(std::string text, const std::vector<Row> &rows, const char *Row::*meaning) {
+  for (const Row &row : rows) text += std::string("\n") + row.name + ": " + row.*meaning;
+  return text;
+}
+
+void add_law_options(CLI::App &command, PackOptions &options) {
+  command
+      .add_option("--law", options.law,
+                  described("Size law of the radii:", packing::size_laws(), &packing::LawRow::radii))
+      ->check(CLI::IsMember(particles::names_of(packing::size_laws())))
+      ->capture_default_str();
+  options.law_values.resize(packing::law_parameters().size());
+  for (size_t k = 0; k < options.law_values.size(); k++) {
+    const packing::LawParameter &parameter = *packing::law_parameters()[k];
+    command.add_option(std::string("--") + parameter.name, options.law_values[k],
+                       packing::describe(parameter) + " (" + packing::usual_values(parameter) + ")");
+  }
+}
+
+void add_output_options(CLI::App &command, PackOptions &options) {
+  const std::vector<particles::Format> &formats = particles::all_formats();
+  std::string endings;
+  for (const particles::Format &format : formats) endings += std::string(format.endings) + " ";
+  command.add_option("-o,--output", options.output, "File to write: " + endings + "or - for standard output")
+      ->required();
+  command
+      .add_option("--format", options.format,
+                  particles::joined(particles::names_of(formats), " or ") + " (by the file's ending)")
+      ->check(CLI::IsMember(particles::names_of(formats)));
 }
 
 }  // namespace
@@ -222,17 +237,12 @@ void add_pack(CLI::App &parent) {
   auto options = std::make_shared<PackOptions>();
   packing::Request &request = options->request;
   CLI::App *command = parent.add_subcommand("pack", "Make a packing of spheres or disks of a size law");
-  command->add_option("--law", options->law, "Size law of the radii")
-      ->check(CLI::IsMember(std::vector<std::string>(std::begin(packing::kLawNames), std::end(packing::kLawNames))))
-      ->capture_default_str();
+  add_law_options(*command, *options);
   command->add_option("--count", request.count, "Number of particles")->capture_default_str();
-  command->add_option("--ratio", options->ratio,
-                      "Largest over smallest radius; the smallest is 1 (50; two-sizes, one-giant: 10)");
-  command->add_option("--exponent", options->exponent, "power-law: a of p(r) ~ r^-a, 2 to 9 (3)");
-  command->add_option("--sigma", options->sigma, "log-normal: standard deviation of ln r; the median radius is 1 (1)");
-  command->add_option("--arrangement", options->arrangement, "Where particles are thrown")
-      ->check(CLI::IsMember(
-          std::vector<std::string>(std::begin(packing::kArrangementNames), std::end(packing::kArrangementNames))))
+  command
+      ->add_option("--arrangement", options->arrangement,
+                   described("Where particles are thrown:", packing::arrangements(), &packing::ArrangementRow::places))
+      ->check(CLI::IsMember(particles::names_of(packing::arrangements())))
       ->capture_default_str();
   command
       ->add_option("--density", request.density,
@@ -254,12 +264,7 @@ void add_pack(CLI::App &parent) {
                       "mean radius)");
   command->add_option("--dimension", request.law.dimension, "2 (disks) or 3 (spheres)")->capture_default_str();
   command->add_option("--periodic", options->periodic, "Axes without walls, e.g. xy (none)");
-  command
-      ->add_option("-o,--output", options->output,
-                   "File to write, .csv, .lammpstrj, .dump, .xyz or .extxyz; - for standard output")
-      ->required();
-  command->add_option("--format", options->format, "csv, lammps or xyz (by the file's ending)")
-      ->check(CLI::IsMember({"csv", "lammps", "xyz"}));
+  add_output_options(*command, *options);
   command->callback([options] { run_pack(*options); });
 }
 

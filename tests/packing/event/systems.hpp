@@ -3,7 +3,7 @@
 // Small systems of growing spheres, and what is measured of them without the library.
 #pragma once
 
-#include "packing/event/box.hpp"
+#include "packing/box.hpp"
 #include "packing/event/engine.hpp"
 #include "packing/random.hpp"
 

@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Extended XYZ: a count, a line of key=value, one row for each particle; one or several frames.
+// Extended XYZ: a count, a line of key=value, one row for each particle; one or several frames. Properties must name
+// pos and radius (or r, diameter, d); Lattice, pbc and Origin set the box. As usual for the format, a Lattice without
+// pbc is periodic on all axes.
 #include "particles/files/columns.hpp"
-#include "particles/files/readers.hpp"
+#include "particles/files/reader.hpp"
+#include "particles/files/row_writer.hpp"
 #include "particles/text/number.hpp"
+#include "particles/text/output.hpp"
 
 #include <algorithm>
 #include <map>
@@ -159,6 +163,46 @@ ParticleSet read_xyz(const TextFile &file, const ReadOptions &options) {
     rows.append(line);
   }
   return particles;
+}
+
+namespace {
+
+void write_box(Output &out, const ParticleSet &particles) {
+  const double *low = particles.box_min, *high = particles.box_max;
+  out << "Lattice=\"" << high[0] - low[0] << " 0 0 0 " << high[1] - low[1] << " 0 0 0 " << high[2] - low[2] << "\" ";
+  out << "Origin=\"" << low[0] << ' ' << low[1] << ' ' << low[2] << "\" ";
+}
+
+// As ASE and OVITO call them.
+std::string_view property_name(std::string_view name) {
+  return name == "velocity" ? "velo" : name == "spin" ? "angular_velocity" : name;
+}
+
+}  // namespace
+
+std::string loss_in_xyz(const ParticleSet &particles) {
+  for (int axis = 0; axis < 3; axis++) {
+    const double low = particles.box_min[axis], high = particles.box_max[axis];
+    if (particles.periodic[axis] && low + (high - low) != high)
+      return std::string("extended XYZ stores a corner and an edge, which cannot hold the periodic box on axis ") +
+             "xyz"[axis] + " exactly; write CSV or a LAMMPS dump";
+  }
+  return "";
+}
+
+void write_xyz(Output &out, const ParticleSet &particles) {
+  out << particles.count() << '\n';
+  if (particles.has_box) write_box(out, particles);
+  out << "Properties=species:S:1:pos:R:3:radius:R:1";
+  for (const Column &column : particles.columns) out << ':' << property_name(column.name) << ":R:" << column.width;
+  if (particles.moment) out << " Time=" << particles.moment->time;
+  out << " pbc=\"";
+  for (int axis = 0; axis < 3; axis++) out << (axis > 0 ? " " : "") << (particles.periodic[axis] ? 'T' : 'F');
+  out << "\"\n";
+  for (size_t k = 0; k < particles.count(); k++) {
+    out << "X ";
+    write_row(out, particles, k);
+  }
 }
 
 }  // namespace particles

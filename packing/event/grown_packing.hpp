@@ -6,18 +6,16 @@
 #include "packing/event/growth.hpp"
 #include "packing/packing.hpp"
 
-#include <cstddef>
-
-namespace packing {
+namespace packing::event {
 
 struct GrownPacking {
   particles::ParticleSet particles;  // in random order
-  packing::event::GrowthResult growth;
+  GrowthResult growth;
 };
 
 // Checks the request (its sweeps do not count) and grows the packing at `rate`, 0 for the usual one. If the growth was
 // stopped or jammed, the particles are smaller, but do not overlap either. The same request gives the same bytes on any
-// machine. Throws particles::Error, and particles::Error if the library finds an overlap in the end.
-GrownPacking grow_packing(const Request &request, double rate, const packing::event::GrowthObserver &observe);
+// machine. Throws particles::Error, also if the library finds an overlap in the end.
+GrownPacking grow_packing(const Request &request, double rate, const GrowthObserver &observe);
 
-}  // namespace packing
+}  // namespace packing::event

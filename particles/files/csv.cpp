@@ -1,16 +1,21 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables with a header line: CSV and its relatives.
+// Tables with a header line: CSV and its relatives. A header names the columns x, y, z (optional) and radius, r,
+// diameter or d, in any order and among others. Separators are commas, semicolons, tabs or blanks, as in the header.
+// Lines that begin with '#' are comments; the one that the writer leaves ("# box: ...") sets the box.
 #include "particles/files/columns.hpp"
-#include "particles/files/readers.hpp"
-#include "particles/files/writers.hpp"
+#include "particles/files/reader.hpp"
 #include "particles/text/number.hpp"
+#include "particles/text/output.hpp"
 
 #include <algorithm>
 #include <optional>
 
 namespace particles {
 namespace {
+
+// Begins the comment line that holds the box: lower corner, upper corner, "periodic" and three flags.
+constexpr char kBoxComment[] = "# box:";
 
 char separator_of(std::string_view header) {
   for (const char letter : {',', ';', '\t'})
@@ -99,6 +104,40 @@ ParticleSet read_csv(const TextFile &file, const ReadOptions &options) {
   }
   if (!rows) cursor.fail("no line names the columns (such as x,y,z,radius)");
   return particles;
+}
+
+namespace {
+
+void write_box(Output &out, const ParticleSet &particles) {
+  out << kBoxComment;
+  for (const double corner : particles.box_min) out << ' ' << corner;
+  for (const double corner : particles.box_max) out << ' ' << corner;
+  out << " periodic";
+  for (const int flag : particles.periodic) out << ' ' << flag;
+  out << '\n';
+}
+
+}  // namespace
+
+void write_csv(Output &out, const ParticleSet &particles) {
+  if (particles.has_box) write_box(out, particles);
+  if (particles.moment) out << "# step: " << particles.moment->step << " time: " << particles.moment->time << '\n';
+  const auto dimension = static_cast<size_t>(particles.dimension);
+  out << (dimension == 3 ? "x,y,z,radius" : "x,y,radius");
+  for (const Column &column : particles.columns) {
+    for (size_t n = 0; n < column.width; n++) {
+      out << ',' << column.name;
+      if (column.width > 1) out << '_' << "xyz"[n];
+    }
+  }
+  out << '\n';
+  for (size_t k = 0; k < particles.count(); k++) {
+    for (size_t axis = 0; axis < dimension; axis++) out << particles.centers[k * dimension + axis] << ',';
+    out << particles.radii[k];
+    for (const Column &column : particles.columns)
+      for (size_t n = 0; n < column.width; n++) out << ',' << column.values[k * column.width + n];
+    out << '\n';
+  }
 }
 
 }  // namespace particles

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace output {
+namespace particles {
 
 inline std::string base64(std::string_view bytes) {
   constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -25,4 +25,4 @@ inline std::string base64(std::string_view bytes) {
   return result;
 }
 
-}  // namespace output
+}  // namespace particles

@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// LAMMPS text dumps ("dump custom"), one or several frames.
+// LAMMPS text dumps ("dump custom"), in boxes without tilt. Read: one or several frames with columns x or xu or xs or
+// xsu (and so on) and radius or diameter. Written: one frame with the columns id, type, x, y, z, radius and further
+// ones.
 #include "particles/files/columns.hpp"
-#include "particles/files/readers.hpp"
+#include "particles/files/reader.hpp"
+#include "particles/files/row_writer.hpp"
 #include "particles/text/number.hpp"
+#include "particles/text/output.hpp"
 
 #include <algorithm>
 
@@ -123,6 +127,53 @@ ParticleSet read_lammps(const TextFile &file, const ReadOptions &options) {
     rows.append(line);
   }
   return particles;
+}
+
+namespace {
+
+// A dump must have bounds: where the set has no box, those of its particles (boundary "ss", shrink-wrapped).
+void bounds_of(const ParticleSet &particles, int axis, double &low, double &high) {
+  const auto dimension = static_cast<size_t>(particles.dimension);
+  low = high = 0;
+  if (axis >= particles.dimension) return;
+  for (size_t k = 0; k < particles.count(); k++) {
+    const double place = particles.centers[k * dimension + static_cast<size_t>(axis)];
+    const double radius = particles.radii[k];
+    low = k == 0 ? place - radius : std::min(low, place - radius);
+    high = k == 0 ? place + radius : std::max(high, place + radius);
+  }
+}
+
+// As LAMMPS calls them: vx, omegaz, mass.
+void write_titles(Output &out, const Column &column) {
+  const std::string name = column.name == "velocity" ? "v" : column.name == "spin" ? "omega" : column.name;
+  for (size_t n = 0; n < column.width; n++) {
+    out << ' ' << name;
+    if (column.width > 1) out << "xyz"[n];
+  }
+}
+
+}  // namespace
+
+void write_lammps(Output &out, const ParticleSet &particles) {
+  const Moment moment = particles.moment.value_or(Moment{0, 0});
+  if (particles.moment) out << "ITEM: TIME\n" << moment.time << '\n';
+  out << "ITEM: TIMESTEP\n" << moment.step << "\nITEM: NUMBER OF ATOMS\n" << particles.count();
+  out << "\nITEM: BOX BOUNDS";
+  for (const int flag : particles.periodic) out << (flag ? " pp" : particles.has_box ? " ff" : " ss");
+  out << '\n';
+  for (int axis = 0; axis < 3; axis++) {
+    double low = particles.box_min[axis], high = particles.box_max[axis];
+    if (!particles.has_box) bounds_of(particles, axis, low, high);
+    out << low << ' ' << high << '\n';
+  }
+  out << "ITEM: ATOMS id type x y z radius";
+  for (const Column &column : particles.columns) write_titles(out, column);
+  out << '\n';
+  for (size_t k = 0; k < particles.count(); k++) {
+    out << k + 1 << " 1 ";
+    write_row(out, particles, k);
+  }
 }
 
 }  // namespace particles

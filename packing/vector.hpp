@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The vectors of the simulations. In two dimensions the third component is 0 throughout.
+// The vectors of packings. In two dimensions the third component is 0 throughout.
 #pragma once
 
 #include <Eigen/Core>
