@@ -17,6 +17,12 @@ struct ParticleSet {
   int periodic[3]{};                  // only with a box
 
   size_t count() const { return radii.size(); }
+  const double *center(size_t i) const { return &centers[i * static_cast<size_t>(dimension)]; }
+  // `center` holds `dimension` numbers.
+  void add(const double *center, double radius) {
+    for (int axis = 0; axis < dimension; axis++) centers.push_back(center[axis]);
+    radii.push_back(radius);
+  }
 };
 
 }  // namespace particles

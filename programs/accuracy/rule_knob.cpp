@@ -3,7 +3,6 @@
 // Systems of touching pairs, small ones to be held against the truth and large ones of the same kind to be timed.
 #include "programs/accuracy/rule_knob.hpp"
 
-#include "oracle/particles.hpp"
 #include "programs/accuracy/systems.hpp"
 #include "programs/measure/search_timer.hpp"
 
@@ -64,16 +63,14 @@ std::vector<double> costs_of(const particles::ParticleSet &particles, int repeat
 }
 
 oracle::Pairs truth_of(const particles::ParticleSet &particles) {
-  return oracle::swept_pairs(oracle::set_of(particles));
+  return oracle::swept_pairs(measure::def_of(particles), particles, oracle::exact_interact);
 }
-
-size_t count_of(const oracle::Difference &wrong) { return wrong.missing.size() + wrong.extra.size(); }
 
 // What moving them far from the origin does to the pairs, before any search: places are rounded more coarsely there.
 std::string moving_note(const Kind &kind, size_t count, const oracle::Pairs &truth) {
   if (kind.offset == 0) return "";
   const oracle::Pairs at_origin = truth_of(kind.make(count));
-  return "; rounding the places changed " + std::to_string(count_of(oracle::difference(at_origin, truth))) + " pairs";
+  return "; rounding the places changed " + std::to_string(oracle::difference(at_origin, truth).count()) + " pairs";
 }
 
 TradePoint point_of(const Kind &kind, const Rule &rule, const oracle::Difference &wrong, size_t truth) {
@@ -82,7 +79,7 @@ TradePoint point_of(const Kind &kind, const Rule &rule, const oracle::Difference
   point.system = kind.name;
   point.setting = rule.name;
   point.error_of = "pairs wrong";
-  point.error = static_cast<double>(count_of(wrong)) / static_cast<double>(truth);
+  point.error = static_cast<double>(wrong.count()) / static_cast<double>(truth);
   point.is_default = rule.accuracy == HG_EXACT;
   char note[80];
   std::snprintf(note, sizeof note, "%zu missing, %zu extra of %zu", wrong.missing.size(), wrong.extra.size(), truth);
@@ -95,9 +92,8 @@ TradePoint point_of(const Kind &kind, const Rule &rule, const oracle::Difference
 oracle::Pairs found_pairs(const particles::ParticleSet &particles, int32_t accuracy) {
   particles::Grid grid(def_of(particles, accuracy));
   grid.insert(particles);
-  oracle::Pairs pairs;
-  for (const hg_pair &pair : grid.pairs()) pairs.emplace_back(pair.a, pair.b);
-  return pairs;
+  const particles::Borrowed<hg_pair> found = grid.pairs();
+  return {found.begin(), found.end()};
 }
 
 std::vector<TradePoint> measure_rules(const Budget &budget, const Progress &progress) {

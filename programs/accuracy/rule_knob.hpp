@@ -3,7 +3,7 @@
 // The knob `accuracy` of a grid: how overlap is decided.
 #pragma once
 
-#include "oracle/difference.hpp"
+#include "oracle/pairs.hpp"
 #include "particles/particle_set.hpp"
 #include "programs/accuracy/trade.hpp"
 
@@ -12,7 +12,7 @@
 
 namespace accuracy {
 
-// HG_FLOAT, HG_DOUBLE and HG_EXACT against the truth in whole numbers.
+// HG_FLOAT, HG_DOUBLE and HG_EXACT against the truth.
 std::vector<TradePoint> measure_rules(const Budget &budget, const Progress &progress);
 
 // The pairs that the library finds at this accuracy, in any order.

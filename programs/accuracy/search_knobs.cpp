@@ -14,7 +14,7 @@ namespace accuracy {
 const std::vector<Knob> &search_knobs() {
   static const std::vector<Knob> knobs = {
       {"accuracy", "How overlap is decided",
-       "`hg_grid_def.accuracy`. Error: pairs missing or extra over pairs, against the truth in whole numbers. Time: "
+       "`hg_grid_def.accuracy`. Error: pairs missing or extra over pairs, against the exact truth. Time: "
        "one search of a larger system of the same kind, one thread.",
        measure_rules},
       {"skin", "When stored candidates are searched anew",

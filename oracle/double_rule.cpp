@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The expression in doubles that HG_DOUBLE promises, written out once more.
 // It must be compiled without contraction, as all of the project is (-ffp-contract=off).
-#include "tests/support/oracle.hpp"
+#include "oracle/rule.hpp"
 
 #include <cmath>
 
-namespace hgtest {
+namespace oracle {
 
 bool double_interact(const hg_grid_def &def, const Sphere &a, const Sphere &b) {
   double d[3] = {0, 0, 0};
@@ -22,4 +22,4 @@ bool double_interact(const hg_grid_def &def, const Sphere &a, const Sphere &b) {
   return d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < s * s;
 }
 
-}  // namespace hgtest
+}  // namespace oracle

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether two particles interact, decided in rational numbers.
-#include "tests/support/oracle.hpp"
+#include "oracle/rule.hpp"
 
 #include <gmpxx.h>
 
 #include <cmath>
 
-namespace hgtest {
+namespace oracle {
 namespace {
 
 // n + 1/2 rounds to n + 1; both images are equally near, so it is of no matter.
@@ -86,4 +86,4 @@ double relative_gap(const hg_grid_def &def, const Sphere &a, const Sphere &b) {
   return std::sqrt(ratio.get_d()) - 1;
 }
 
-}  // namespace hgtest
+}  // namespace oracle
