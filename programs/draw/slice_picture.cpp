@@ -3,6 +3,7 @@
 // Layout and style of the slice picture. Lengths without a unit named are pixels.
 #include "programs/draw/slice_picture.hpp"
 
+#include "particles/text/formatted.hpp"
 #include "programs/draw/palette.hpp"
 #include "programs/draw/svg.hpp"
 #include "programs/draw/view.hpp"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 namespace draw {
@@ -29,17 +29,13 @@ constexpr double kMostCellsAcrossCloseUp = 20;
 constexpr double kMostCellsAcross = 16;
 constexpr int kCandidatesPerAxis = 24;
 
-const std::string kAccent = "#1c6ea4";
+const std::string kAccentLine = "stroke=\"" + std::string(kAccent) + "\" stroke-width=";
 const std::string kStrongLines = "stroke=\"#14304a\" stroke-width=\"1.5\" stroke-opacity=\"0.8\"";
 const std::string kThinLines =
     "stroke=\"#14304a\" stroke-width=\"0.8\" stroke-opacity=\"0.45\" stroke-dasharray=\"4 3\"";
-const std::string kFont = "font-family=\"Helvetica, Arial, sans-serif\" fill=\"#222\" ";
+constexpr double kLetters = 13;
 
-std::string number_text(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", number);
-  return text;
-}
+std::string number_text(double number) { return particles::formatted("%.4g", number); }
 
 // Groups of three digits, a narrow no-break space between them.
 std::string count_text(size_t count) {
@@ -156,9 +152,8 @@ void draw_panel(Svg &svg, const Slice &slice, const View &view, const ShownLevel
 void draw_search(Svg &svg, const Slice &slice, const View &view, const Disk &disk) {
   svg.open_clip(view.frame);
   draw_visited_cells(svg, slice, view, disk, slice.levels.front().cell_size,
-                     "fill=\"" + kAccent + "\" fill-opacity=\"0.2\" stroke=\"" + kAccent + "\" stroke-width=\"2\"");
-  svg.circle(view.point(disk.u, disk.v), disk.radius * view.scale(),
-             "fill=\"none\" stroke=\"" + kAccent + "\" stroke-width=\"3\"");
+                     "fill=\"" + std::string(kAccent) + "\" fill-opacity=\"0.2\" " + kAccentLine + "\"2\"");
+  svg.circle(view.point(disk.u, disk.v), disk.radius * view.scale(), "fill=\"none\" " + kAccentLine + "\"3\"");
   svg.close_clip();
 }
 
@@ -169,27 +164,25 @@ void draw_frames(Svg &svg, const View &overview, const View &close_up) {
   const Frame mark{top_left.x, top_left.y, side, side};
   svg.rectangle(overview.frame, "fill=\"none\" stroke=\"#222\" stroke-width=\"1\"");
   svg.rectangle(mark, "fill=\"none\" stroke=\"#ffffff\" stroke-width=\"6\"");
-  svg.rectangle(mark, "fill=\"none\" stroke=\"" + kAccent + "\" stroke-width=\"3\"");
-  svg.rectangle(close_up.frame, "fill=\"none\" stroke=\"" + kAccent + "\" stroke-width=\"3\"");
+  svg.rectangle(mark, "fill=\"none\" " + kAccentLine + "\"3\"");
+  svg.rectangle(close_up.frame, "fill=\"none\" " + kAccentLine + "\"3\"");
 }
 
 void draw_legend(Svg &svg, const Slice &slice, Point corner) {
   const std::array<double, 3> columns = {corner.x + 34, corner.x + 190, corner.x + 330};
-  const std::string head = kFont + "font-size=\"13\" font-weight=\"bold\" ";
-  const std::string body = kFont + "font-size=\"13\" ";
-  const std::string right = "text-anchor=\"end\"";
-  svg.text({columns[0], corner.y}, "level", head);
-  svg.text({columns[1], corner.y}, "cell size", head + right);
-  svg.text({columns[2], corner.y}, "particles", head + right);
+  const std::string bold = "font-weight=\"bold\"", right = "text-anchor=\"end\"", bold_right = bold + " " + right;
+  svg.text({columns[0], corner.y}, "level", kLetters, bold);
+  svg.text({columns[1], corner.y}, "cell size", kLetters, bold_right);
+  svg.text({columns[2], corner.y}, "particles", kLetters, bold_right);
   double y = corner.y;
   for (size_t level = 0; level < slice.levels.size(); level++) {
     y += kLegendRow;
     const Color fill = level_color(level, slice.levels.size());
     svg.circle({corner.x + 12, y - 4.5}, 8,
                "fill=\"" + color_text(fill) + "\" stroke=\"" + color_text(darker(fill)) + "\" stroke-width=\"1\"");
-    svg.text({columns[0], y}, std::to_string(level + 1), body);
-    svg.text({columns[1], y}, number_text(slice.levels[level].cell_size), body + right);
-    svg.text({columns[2], y}, count_text(slice.levels[level].particle_count), body + right);
+    svg.text({columns[0], y}, std::to_string(level + 1), kLetters);
+    svg.text({columns[1], y}, number_text(slice.levels[level].cell_size), kLetters, right);
+    svg.text({columns[2], y}, count_text(slice.levels[level].particle_count), kLetters, right);
   }
 }
 
@@ -212,7 +205,7 @@ void draw_notes(Svg &svg, const Slice &slice, const Window &overview, bool has_e
                     " % of its width");
   }
   for (const std::string &note : notes) {
-    svg.text(corner, note, kFont + "font-size=\"13\"");
+    svg.text(corner, note, kLetters);
     corner.y += kLegendRow;
   }
 }
@@ -230,7 +223,6 @@ std::string slice_picture(const Slice &slice) {
   const double height = std::max(kMargin + overview.frame.height, notes.y + 2 * kLegendRow) + kMargin;
 
   Svg svg(width, height);
-  svg.rectangle({0, 0, width, height}, "fill=\"#ffffff\"");
   draw_panel(svg, slice, overview, overview_levels(slice));
   draw_panel(svg, slice, close_up, close_up_levels(slice));
   if (example) draw_search(svg, slice, close_up, *example);

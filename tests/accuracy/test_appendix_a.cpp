@@ -5,7 +5,7 @@
 #include "packing/packing.hpp"
 #include "packing/size_law.hpp"
 #include "particles/grid_handle.hpp"
-#include "programs/accuracy/appendix_a.hpp"
+#include "programs/accuracy/search/appendix_a.hpp"
 #include "programs/measure/search_timer.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 

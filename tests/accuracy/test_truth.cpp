@@ -3,8 +3,8 @@
 // The judge of `hgrid accuracy`: its sweep against looking at every pair in whole numbers, what it says of an injected
 // fault, and of the library.
 #include "oracle/pairs.hpp"
-#include "programs/accuracy/rule_knob.hpp"
-#include "programs/accuracy/systems.hpp"
+#include "programs/accuracy/search/decision_rule.hpp"
+#include "programs/accuracy/search/systems.hpp"
 #include "programs/measure/search_timer.hpp"
 #include "tests/oracle/whole_numbers.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
@@ -24,10 +24,6 @@ const std::vector<particles::ParticleSet> &systems() {
   return all;
 }
 
-oracle::Pairs swept(const particles::ParticleSet &particles) {
-  return oracle::swept_pairs(measure::def_of(particles), particles, oracle::exact_interact);
-}
-
 bool same(const oracle::Pairs &a, const oracle::Pairs &b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), oracle::pair_equal);
 }
@@ -35,7 +31,7 @@ bool same(const oracle::Pairs &a, const oracle::Pairs &b) {
 bool sweep_is_complete() {
   for (const particles::ParticleSet &particles : systems()) {
     const oracle::Pairs all = hgtest::whole_number_pairs(measure::def_of(particles), particles);
-    if (all.empty() || !same(swept(particles), all)) return false;
+    if (all.empty() || !same(accuracy::true_pairs(particles), all)) return false;
   }
   return true;
 }
@@ -47,7 +43,7 @@ void the_sweep_finds_what_all_pairs_hold(void **) {
 
 // A pair taken out and another put in are named, in whatever order the list is.
 bool faults_are_found() {
-  const oracle::Pairs truth = swept(systems()[0]);
+  const oracle::Pairs truth = accuracy::true_pairs(systems()[0]);
   oracle::Pairs found(truth.rbegin(), truth.rend());
   const auto lost = found[found.size() / 2];
   found[found.size() / 2] = found.front();  // once more instead
@@ -64,13 +60,14 @@ void an_injected_fault_is_found(void **) {
 // HG_EXACT is never wrong, HG_FLOAT never misses; the lattice shows that the judge does see wrong pairs.
 bool rules_keep_their_promise() {
   for (const particles::ParticleSet &particles : systems()) {
-    const oracle::Pairs truth = swept(particles);
-    const oracle::Difference exact = oracle::difference(truth, accuracy::found_pairs(particles, HG_EXACT));
-    const oracle::Difference with_float = oracle::difference(truth, accuracy::found_pairs(particles, HG_FLOAT));
+    const oracle::Pairs truth = accuracy::true_pairs(particles);
+    const oracle::Difference exact = oracle::difference(truth, accuracy::pairs_at(particles, HG_EXACT));
+    const oracle::Difference with_float = oracle::difference(truth, accuracy::pairs_at(particles, HG_FLOAT));
     if (exact.count() != 0 || !with_float.missing.empty()) return false;
   }
   const particles::ParticleSet &lattice = systems().back();
-  const oracle::Difference wrong = oracle::difference(swept(lattice), accuracy::found_pairs(lattice, HG_DOUBLE));
+  const oracle::Difference wrong =
+      oracle::difference(accuracy::true_pairs(lattice), accuracy::pairs_at(lattice, HG_DOUBLE));
   std::printf("HG_DOUBLE on the lattice: %zu missing, %zu extra\n", wrong.missing.size(), wrong.extra.size());
   return !wrong.missing.empty() && !wrong.extra.empty();
 }

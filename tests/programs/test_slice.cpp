@@ -124,7 +124,7 @@ void many_disks_are_cropped(void **) {
 
 bool text_is_escaped() {
   draw::Svg svg(10, 10);
-  svg.text({1, 2.5}, "a < b & c", "");
+  svg.text({1, 2.5}, "a < b & c", 11);
   return svg.document().find("x=\"1\" y=\"2.5\"") != std::string::npos &&
          svg.document().find("a &lt; b &amp; c") != std::string::npos;
 }

@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,9 @@ struct Sample {
   const System *system;
   int levels;
   Observation observation;
-  std::unique_ptr<measure::SearchTimer> timer;
+  measure::SearchTimer timer;
+
+  void run() { timer.run(); }
 };
 
 // Levels that take this much longer than the best are never chosen; they would bend the fit where it matters.
@@ -89,10 +92,8 @@ hg_grid_def grid_def(const CalibrateOptions &options, const particles::ParticleS
 double expected_cost(hg_grid_def def, const particles::ParticleSet &particles, int levels) {
   particles::Grid grid(def);
   grid.insert(particles);
-  for (const hg_level_cost &cost : grid.level_costs()) {
-    if (cost.level_count == levels && cost.reachable != 0) return cost.cost;
-  }
-  return -1;
+  const std::optional<hg_level_cost> cost = measure::expected_cost(grid, static_cast<size_t>(levels));
+  return cost ? cost->cost : -1;
 }
 
 // With one price 1 and all others 0 the cost is the count itself, and the tests, whose price is always 1.
@@ -104,7 +105,7 @@ std::vector<Sample> make_samples(const CalibrateOptions &options, const std::vec
       hg_grid_def def = grid_def(options, system.particles, levels);
       const double tests = expected_cost(def, system.particles, levels);
       if (tests < 0) continue;
-      Sample sample{&system, levels, {}, std::make_unique<measure::SearchTimer>(def, system.particles)};
+      Sample sample{&system, levels, {}, measure::SearchTimer(def, system.particles)};
       std::array<double, kTerms> &term = sample.observation.term;
       sample.observation.group = group;
       term[kLevels] = levels;
@@ -118,14 +119,9 @@ std::vector<Sample> make_samples(const CalibrateOptions &options, const std::vec
 }
 
 void measure_samples(const CalibrateOptions &options, std::vector<Sample> &samples) {
-  for (int repeat = 0; repeat < options.repeats; repeat++) {
-    for (Sample &sample : samples) {
-      if (repeat == 0 || sample.timer->total_seconds() < options.seconds) sample.timer->run();
-    }
-  }
+  measure::in_turns(samples, options.repeats, options.seconds);
   for (Sample &sample : samples) {
-    const double count = static_cast<double>(sample.system->particles.count());
-    sample.observation.value = 1e9 * sample.timer->median_seconds() / count;
+    sample.observation.value = sample.timer.ns_per_particle();
     sample.observation.weight = 1 / (sample.observation.value * sample.observation.value);
   }
 }
