@@ -16,6 +16,16 @@ std::vector<hg_pair> found_pairs(const hg_grid_def &def, const particles::Partic
   return {pairs.begin(), pairs.end()};
 }
 
+void filter_pairs(const particles::ParticleSet &particles, const std::vector<hg_pair> &candidates,
+                  std::vector<hg_pair> &pairs) {
+  const double *centers = particles.centers.data(), *radii = particles.radii.data();
+  for (const hg_pair &pair : candidates) {
+    const double *x = centers + 3 * size_t(pair.a), *y = centers + 3 * size_t(pair.b);
+    const double dx = x[0] - y[0], dy = x[1] - y[1], dz = x[2] - y[2], reach = radii[pair.a] + radii[pair.b];
+    if (dx * dx + dy * dy + dz * dz < reach * reach) pairs.push_back(pair);
+  }
+}
+
 double overlap_of(const particles::ParticleSet &particles, const hg_pair &pair) {
   const auto a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
   double square = 0;

@@ -14,6 +14,11 @@ namespace accuracy {
 // The pairs of a grid that is made for this one search.
 std::vector<hg_pair> found_pairs(const hg_grid_def &def, const particles::ParticleSet &particles);
 
+// Appends those of the candidates that overlap, by the expression in doubles with which HG_DOUBLE decides. A plain loop
+// for three dimensions without periodic axes, to be timed.
+void filter_pairs(const particles::ParticleSet &particles, const std::vector<hg_pair> &candidates,
+                  std::vector<hg_pair> &pairs);
+
 // The sum of the two radii less the distance to the nearest image.
 double overlap_of(const particles::ParticleSet &particles, const hg_pair &pair);
 // The same over the smaller of the two radii.

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Drawing the parts of a slice into a frame.
 #include "programs/draw/view.hpp"
 
 #include "programs/draw/palette.hpp"

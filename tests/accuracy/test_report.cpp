@@ -36,54 +36,34 @@ bool is_cost(const DigitCost &cost, DigitCost::Kind kind, const char *from, cons
 }
 
 // A hundred times less error for four times the cost is a factor of two for ten times less.
-bool slopes_are_known() {
+bool slopes_along_the_front() {
   const std::vector<DigitCost> costs = accuracy::costs_of_a_digit(
       {point("middle", 1e-3, 40), point("coarse", 1e-1, 10), point("bad", 1e-2, 50), point("exact", 0, 60)});
   return costs.size() == 2 && is_cost(costs[0], DigitCost::Kind::kFactor, "coarse", "middle", 2) &&
          is_cost(costs[1], DigitCost::Kind::kToZero, "middle", "exact", 1.5);
 }
 
-void slopes_along_the_front(void **) {
-  const bool ok = slopes_are_known();
-  assert_true(ok);
-}
-
 // The most accurate setting is also the cheapest, but for less than the noise of timing.
-bool free_is_free() {
+bool accuracy_can_be_free() {
   const std::vector<DigitCost> costs =
       accuracy::costs_of_a_digit({point("coarse", 1e-1, 10), point("exact", 0, 10.2), point("slow", 0, 20)});
   return costs.size() == 1 && is_cost(costs[0], DigitCost::Kind::kFree, "exact", "exact", 1);
 }
 
-void accuracy_can_be_free(void **) {
-  const bool ok = free_is_free();
-  assert_true(ok);
-}
-
 // Of settings with the same error the default stands for all unless another is clearly cheaper.
-bool ties_go_to_the_default() {
+bool ties_prefer_the_default() {
   const auto near = accuracy::pareto_front({point("other", 0, 10), point("default", 0, 10.2, true)});
   const auto far = accuracy::pareto_front({point("other", 0, 10), point("default", 0, 11, true)});
   return near.size() == 1 && near[0].setting == "default" && far.size() == 1 && far[0].setting == "other";
 }
 
-void ties_prefer_the_default(void **) {
-  const bool ok = ties_go_to_the_default();
-  assert_true(ok);
-}
-
-bool series_stay_apart() {
+bool parameters_systems_and_errors_are_not_mixed() {
   Point other = point("elsewhere", 1e-5, 1);
   other.system = "other system";
   Point error = point("else", 1e-5, 1);
   error.error_of = "something else";
   const auto series = accuracy::series_of({point("a", 1, 1), other, error, point("b", 0.1, 2)});
   return series.size() == 3 && series[0].size() == 2 && series[0][1].setting == "b";
-}
-
-void parameters_systems_and_errors_are_not_mixed(void **) {
-  const bool ok = series_stay_apart();
-  assert_true(ok);
 }
 
 size_t count_of(const std::string &text, const std::string &part) {
@@ -94,7 +74,7 @@ size_t count_of(const std::string &text, const std::string &part) {
 
 // A circle for each point, another around the default, one in the legend; a line between the points of the front. A
 // parameter that is never wrong has no panel.
-bool picture_holds_the_points() {
+bool the_picture_holds_all_points() {
   const std::vector<accuracy::Study> studies = {{"parameter", "The title", "", nullptr},
                                                 {"exact", "Not drawn", "", nullptr}};
   std::vector<Point> points = {point("a", 1e-1, 10, true), point("b", 1e-3, 40), point("c", 0, 60)};
@@ -106,11 +86,6 @@ bool picture_holds_the_points() {
          count_of(picture, "The title") == 1 && count_of(picture, "Not drawn") == 0;
 }
 
-void the_picture_holds_all_points(void **) {
-  const bool ok = picture_holds_the_points();
-  assert_true(ok);
-}
-
 bool same(const Point &a, const Point &b) {
   return a.parameter == b.parameter && a.system == b.system && a.setting == b.setting && a.error_of == b.error_of &&
          a.error == b.error && a.cost == b.cost && a.is_default == b.is_default && a.note == b.note &&
@@ -118,7 +93,7 @@ bool same(const Point &a, const Point &b) {
 }
 
 // Whatever letters they hold.
-bool points_survive() {
+bool points_survive_a_file() {
   std::vector<Point> points = {point("plain", 1.0 / 3, 1e-7, true), point("a, \"b\", c", 0, 12)};
   points[0].note = "\"\"";
   points[1].number = -0.1;
@@ -129,17 +104,14 @@ bool points_survive() {
   return again.size() == 2 && same(points[0], again[0]) && same(points[1], again[1]);
 }
 
-void points_survive_a_file(void **) {
-  const bool ok = points_survive();
-  assert_true(ok);
-}
-
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {
-      cmocka_unit_test(slopes_along_the_front),       cmocka_unit_test(accuracy_can_be_free),
-      cmocka_unit_test(ties_prefer_the_default),      cmocka_unit_test(parameters_systems_and_errors_are_not_mixed),
-      cmocka_unit_test(the_picture_holds_all_points), cmocka_unit_test(points_survive_a_file)};
+  const CMUnitTest tests[] = {cmocka_unit_test(passes<slopes_along_the_front>),
+                              cmocka_unit_test(passes<accuracy_can_be_free>),
+                              cmocka_unit_test(passes<ties_prefer_the_default>),
+                              cmocka_unit_test(passes<parameters_systems_and_errors_are_not_mixed>),
+                              cmocka_unit_test(passes<the_picture_holds_all_points>),
+                              cmocka_unit_test(passes<points_survive_a_file>)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -26,10 +26,8 @@ struct System {
   double offset;  // by which all are then moved
 };
 
-constexpr packing::SizeLaw kWide{packing::Law::kUniformVolume, 50, 3};
-
 std::vector<System> systems_of(const Budget &budget) {
-  const auto packed = [](size_t n) { return relaxed(kWide, n); };
+  const auto packed = [](size_t n) { return relaxed(kUniformVolume50.law, n); };
   const auto chained = [](size_t n) { return touching_chain(n, 1e6); };
   std::vector<System> systems = {{"relaxed packing, ratio 50", packed, 0},
                                  {"the same, 1e6 radii from the origin", packed, 1e6},

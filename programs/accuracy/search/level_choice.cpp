@@ -166,11 +166,7 @@ void measure_system(const particles::ParticleSet &particles, Recorder &record) {
 }  // namespace
 
 void measure_level_choices(Recorder &record) {
-  using packing::Law;
-  const std::vector<std::pair<std::string, packing::SizeLaw>> systems = {
-      {"uniform volume, ratio 50", {Law::kUniformVolume, 50, 3}},
-      {"uniform size, ratio 50", {Law::kUniformSize, 50, 3}}};
-  for (const auto &[name, law] : systems) {
+  for (const auto &[name, law] : {kUniformVolume50, kUniformSize50}) {
     record.begin(name);
     measure_system(relaxed(law, record.budget().timed_count, 0), record);
   }

@@ -48,11 +48,7 @@ void measure_system(const particles::ParticleSet &particles, Recorder &record) {
 }  // namespace
 
 void measure_level_counts(Recorder &record) {
-  using packing::Law;
-  std::vector<std::pair<std::string, packing::SizeLaw>> systems = {
-      {"uniform volume, ratio 50", {Law::kUniformVolume, 50, 3}},
-      {"uniform volume, ratio 10", {Law::kUniformVolume, 10, 3}},
-      {"uniform size, ratio 50", {Law::kUniformSize, 50, 3}}};
+  std::vector<NamedLaw> systems = {kUniformVolume50, kUniformVolume10, kUniformSize50};
   if (record.budget().quick) systems.resize(1);
   for (const auto &[name, law] : systems) {
     record.begin(name);

@@ -17,25 +17,6 @@
 namespace accuracy {
 namespace {
 
-struct Gap {
-  double d[3];
-  double reach;
-};
-
-Gap gap_of(const particles::ParticleSet &particles, const hg_pair &pair) {
-  const auto a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
-  const double *x = &particles.centers[3 * a], *y = &particles.centers[3 * b];
-  return {{x[0] - y[0], x[1] - y[1], x[2] - y[2]}, particles.radii[a] + particles.radii[b]};
-}
-
-bool spheres_overlap(const Gap &gap) {
-  return gap.d[0] * gap.d[0] + gap.d[1] * gap.d[1] + gap.d[2] * gap.d[2] < gap.reach * gap.reach;
-}
-
-bool boxes_overlap(const Gap &gap) {
-  return std::max({std::fabs(gap.d[0]), std::fabs(gap.d[1]), std::fabs(gap.d[2])}) < gap.reach;
-}
-
 // New rows in the order in which the list of pairs first names them; particles without a pair come last.
 std::vector<int32_t> rows_along(const std::vector<hg_pair> &pairs, size_t count) {
   std::vector<int32_t> rows(count, -1);
@@ -51,55 +32,42 @@ std::vector<int32_t> rows_along(const std::vector<hg_pair> &pairs, size_t count)
   return rows;
 }
 
-struct Loop {
-  const Candidates *candidates;
-  size_t (*find)(const Candidates &, std::vector<hg_pair> &);
-  std::vector<hg_pair> pairs;
-  size_t tested = 0;
-  std::vector<double> seconds;
-
-  void run() {
-    pairs.clear();
-    seconds.push_back(measure::seconds_of([this] { tested = find(*candidates, pairs); }));
-  }
-};
-
 void measure_system(const particles::ParticleSet &input, Recorder &record) {
   const Candidates candidates = candidates_of(input);
-  std::vector<Loop> loops = {{&candidates, overlapping, {}, 0, {}}, {&candidates, overlapping_boxes_first, {}, 0, {}}};
-  measure::in_turns(loops, record.budget().repeats);
-  const Loop &plain = loops[0], &filtered = loops[1];
-  const auto count = static_cast<double>(input.count()), pairs = static_cast<double>(candidates.pairs.size());
-  const auto ns = [count](const Loop &loop) { return 1e9 * measure::median(loop.seconds) / count; };
-  const auto tested = static_cast<double>(filtered.tested);
-  const std::string kept = particles::formatted("boxes keep %.1f %%, of which %.1f %% overlap", 100 * tested / pairs,
-                                                100 * static_cast<double>(filtered.pairs.size()) / tested);
-  std::vector<hg_pair> truth = plain.pairs;
-  std::sort(truth.begin(), truth.end(), oracle::pair_less);
-  const auto wrong = static_cast<double>(oracle::difference(truth, filtered.pairs).count());
+  oracle::Pairs plain, filtered;
+  std::vector<double> plain_seconds, filtered_seconds;
+  size_t tested = 0;
+  for (int repeat = 0; repeat < record.budget().repeats; repeat++) {
+    plain.clear();
+    filtered.clear();
+    plain_seconds.push_back(measure::seconds_of([&] { filter_pairs(candidates.particles, candidates.pairs, plain); }));
+    filtered_seconds.push_back(measure::seconds_of([&] { tested = filter_boxes_first(candidates, filtered); }));
+  }
+  const double ns = 1e9 / static_cast<double>(input.count()), pairs = static_cast<double>(candidates.pairs.size());
   record.add({"spheres at once",
-              ns(plain),
-              {{"pairs that differ", 0, particles::formatted("%.1f candidates per particle", pairs / count)}},
+              ns * measure::median(plain_seconds),
+              {{"pairs that differ", 0,
+                particles::formatted("%.1f candidates per particle", pairs / static_cast<double>(input.count()))}},
               true});
-  record.add({"boxes first", ns(filtered), {{"pairs that differ", wrong, kept}}});
+  std::sort(plain.begin(), plain.end(), oracle::pair_less);
+  const auto wrong = static_cast<double>(oracle::difference(plain, filtered).count());
+  const std::string note =
+      particles::formatted("boxes keep %.1f %%, of which %.1f %% overlap", 100 * static_cast<double>(tested) / pairs,
+                           100 * static_cast<double>(filtered.size()) / static_cast<double>(tested));
+  record.add({"boxes first", ns * measure::median(filtered_seconds), {{"pairs that differ", wrong, note}}});
 }
 
 }  // namespace
 
-size_t overlapping(const Candidates &candidates, std::vector<hg_pair> &pairs) {
-  for (const hg_pair &pair : candidates.pairs) {
-    if (spheres_overlap(gap_of(candidates.particles, pair))) pairs.push_back(pair);
-  }
-  return candidates.pairs.size();
-}
-
-size_t overlapping_boxes_first(const Candidates &candidates, std::vector<hg_pair> &pairs) {
+size_t filter_boxes_first(const Candidates &candidates, std::vector<hg_pair> &pairs) {
+  const double *centers = candidates.particles.centers.data(), *radii = candidates.particles.radii.data();
   size_t tested = 0;
   for (const hg_pair &pair : candidates.pairs) {
-    const Gap gap = gap_of(candidates.particles, pair);
-    if (!boxes_overlap(gap)) continue;
+    const double *x = centers + 3 * size_t(pair.a), *y = centers + 3 * size_t(pair.b);
+    const double dx = x[0] - y[0], dy = x[1] - y[1], dz = x[2] - y[2], reach = radii[pair.a] + radii[pair.b];
+    if (!(std::max({std::fabs(dx), std::fabs(dy), std::fabs(dz)}) < reach)) continue;
     tested++;
-    if (spheres_overlap(gap)) pairs.push_back(pair);
+    if (dx * dx + dy * dy + dz * dz < reach * reach) pairs.push_back(pair);
   }
   return tested;
 }
@@ -122,11 +90,10 @@ Candidates candidates_of(const particles::ParticleSet &input) {
 }
 
 void measure_prefilter(Recorder &record) {
-  const packing::SizeLaw equal{packing::Law::kMono, 1, 3};
   record.begin("equal spheres, random places");
-  measure_system(relaxed(equal, record.budget().timed_count, 0), record);
+  measure_system(relaxed(kEqualSpheres.law, record.budget().timed_count, 0), record);
   record.begin("equal spheres, relaxed packing");
-  measure_system(relaxed(equal, record.budget().timed_count), record);
+  measure_system(relaxed(kEqualSpheres.law, record.budget().timed_count), record);
 }
 
 }  // namespace accuracy

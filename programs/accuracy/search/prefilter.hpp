@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Two plain loops over the same candidates, with and without a comparison of boxes before that of the spheres.
+// A plain loop over candidates that compares boxes before spheres.
 #pragma once
 
 #include "particles/particle_set.hpp"
@@ -20,9 +20,7 @@ struct Candidates {
 };
 Candidates candidates_of(const particles::ParticleSet &particles);
 
-// The overlapping ones among the candidates, appended to `pairs`, which is empty. Returns how many candidates were
-// tested as spheres: all, or those whose boxes overlap.
-size_t overlapping(const Candidates &candidates, std::vector<hg_pair> &pairs);
-size_t overlapping_boxes_first(const Candidates &candidates, std::vector<hg_pair> &pairs);
+// As filter_pairs, but boxes are compared first. Returns how many candidates were tested as spheres.
+size_t filter_boxes_first(const Candidates &candidates, std::vector<hg_pair> &pairs);
 
 }  // namespace accuracy

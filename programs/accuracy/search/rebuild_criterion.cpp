@@ -127,10 +127,7 @@ Missed missed_contacts(const particles::ParticleSet &start, double displacement,
 
 void measure_rebuild_criteria(Recorder &record) {
   const Budget &budget = record.budget();
-  const std::vector<std::pair<std::string, packing::SizeLaw>> systems = {
-      {"equal spheres", {packing::Law::kMono, 1, 3}},
-      {"uniform volume, ratio 10", {packing::Law::kUniformVolume, 10, 3}}};
-  for (const auto &[name, law] : systems) {
+  for (const auto &[name, law] : {kEqualSpheres, kUniformVolume10}) {
     record.begin(name);
     const particles::ParticleSet small = relaxed(law, budget.truth_count), large = relaxed(law, budget.timed_count);
     std::vector<Criterion> criteria = criteria_of(budget.quick, large, small);

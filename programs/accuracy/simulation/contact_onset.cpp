@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What the onset of a contact, where the force has a corner, does to a scheme.
 #include "programs/accuracy/simulation/contact_onset.hpp"
 
 namespace accuracy {

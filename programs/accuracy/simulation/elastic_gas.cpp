@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// An elastic gas of spheres of radius 1 to measure on.
 #include "programs/accuracy/simulation/elastic_gas.hpp"
 
 #include "dem/engine/engine.hpp"

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The errors of an integration scheme against the steps per contact.
 #include "programs/accuracy/simulation/error_curves.hpp"
 
 #include "programs/accuracy/simulation/collision_laws.hpp"

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Varies how far particles may move before the library searches candidates anew. It looks at how far every particle has
 // moved, so no skin may change the motion by a single bit: that is what is looked for, particle by particle.
-#include "dem/engine/time_step.hpp"
 #include "packing/packing.hpp"
 #include "packing/random.hpp"
 #include "particles/text/formatted.hpp"
 #include "programs/accuracy/simulation/elastic_gas.hpp"
 #include "programs/accuracy/simulation/studies.hpp"
 #include "programs/accuracy/simulation/timed_run.hpp"
-#include "programs/measure/timing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +18,7 @@ namespace {
 // In radii of the smallest particle; the first is what the others are held against.
 const std::vector<double> kSkins = {0, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5};
 constexpr double kUsualSkin = 0.1;  // of `hgrid run`
-constexpr uint64_t kSteps = 200;
+constexpr int kContacts = 4;        // in t_c, of each run and of warming up
 constexpr int kMostRounds = 3;
 
 // A packing of many sizes; each particle has the kinetic energy of a gas in which the smallest overlap by 1 %.
@@ -69,39 +67,36 @@ struct SkinRun {
   double skin;
   TimedRun timed;
   int64_t searches_before;
-  int64_t runs = 0;
-  hg_grid_stats stats{};  // after the last run
+  hg_grid_stats stats;  // after the last run
 
   void run() {
     timed.run();
     stats = timed.engine().grid_stats();
-    runs++;
   }
 };
 
 SkinRun skin_run(dem::Setup &setup, double skin) {
   setup.skin = skin;
-  TimedRun timed(setup, dem::Precision::kDouble, kSteps, kSteps);
-  const int64_t searches = timed.engine().grid_stats().search_count;
-  return {skin, std::move(timed), searches, 0, {}};
+  TimedRun timed(setup, dem::Precision::kDouble, dem::kUsualStepsPerContact, kContacts, kContacts);
+  const hg_grid_stats stats = timed.engine().grid_stats();
+  return {skin, std::move(timed), stats.search_count, stats};
 }
 
 Finding finding_of(SkinRun &run, const dem::Snapshot &reference) {
   const auto count = static_cast<double>(reference.radii.size());
   const auto searches = static_cast<double>(run.stats.search_count - run.searches_before);
   const std::string note = particles::formatted("searched every %.3g steps, %.1f stored per particle",
-                                                static_cast<double>(kSteps) * static_cast<double>(run.runs) / searches,
+                                                static_cast<double>(run.timed.steps_timed()) / searches,
                                                 static_cast<double>(run.stats.stored_count) / count);
   const size_t elsewhere = count_elsewhere(reference, run.timed.engine().snapshot());
   return {particles::formatted("skin %g", run.skin),
-          run.timed.ns_per_particle_and_step(),
+          run.timed.ns_per_step(),
           {{"motion", static_cast<double>(elsewhere) / count, note}},
           run.skin == kUsualSkin,
           run.skin};
 }
 
 void measure_system(dem::Setup setup, Recorder &record) {
-  setup.time_step = dem::shortest_contact(setup) / dem::kUsualStepsPerContact;
   std::vector<SkinRun> runs;
   for (const double skin : kSkins) runs.push_back(skin_run(setup, skin));
   measure::in_turns(runs, std::min(record.budget().repeats, kMostRounds));

@@ -1,22 +1,18 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Varies the numbers that the state is kept in: float against double, in gases of two sizes.
-#include "dem/engine/time_step.hpp"
 #include "particles/text/formatted.hpp"
 #include "programs/accuracy/simulation/elastic_gas.hpp"
 #include "programs/accuracy/simulation/state_errors.hpp"
 #include "programs/accuracy/simulation/studies.hpp"
 #include "programs/accuracy/simulation/timed_run.hpp"
-#include "programs/measure/timing.hpp"
 
 #include <algorithm>
 
 namespace accuracy {
 namespace {
 
-constexpr int kContactsTimed = 6;
 constexpr int kMostRounds = 3;
-constexpr auto kUsual = static_cast<uint64_t>(dem::kUsualStepsPerContact);
 
 Finding finding_of(const char *setting, const StateErrors &errors, TimedRun &run, size_t count, bool is_default) {
   const double wrong = static_cast<double>(errors.missed + errors.extra) / static_cast<double>(errors.pairs);
@@ -24,7 +20,7 @@ Finding finding_of(const char *setting, const StateErrors &errors, TimedRun &run
   const std::string pairs =
       is_default ? "" : particles::formatted("%zu missed, %zu extra of %zu", errors.missed, errors.extra, errors.pairs);
   return {setting,
-          run.ns_per_particle_and_step(),
+          run.ns_per_step(),
           {{"pairs after one t_c", wrong, pairs},
            {"overlaps after one t_c", errors.overlap, particles::formatted("%.1f bytes per particle", bytes)},
            {"largest overlap after one t_c", errors.largest_overlap, ""},
@@ -35,12 +31,12 @@ Finding finding_of(const char *setting, const StateErrors &errors, TimedRun &run
 }  // namespace
 
 void measure_state_precision(Recorder &record) {
-  for (const size_t count : {size_t{4096}, record.budget().timed_count}) {
+  for (const size_t count : {kTimedGasCount, record.budget().timed_count}) {
     const dem::Setup setup = melted_gas(timed_gas(count));
     record.begin(particles::formatted("%zu spheres, box of %.0f radii", setup.count(), setup.box_max[0]));
     std::vector<TimedRun> runs;
     for (const dem::Precision precision : {dem::Precision::kDouble, dem::Precision::kFloat}) {
-      runs.emplace_back(setup, precision, kUsual, kContactsTimed * kUsual);
+      runs.emplace_back(setup, precision, dem::kUsualStepsPerContact);
     }
     const StateErrors errors = compare_states(setup, runs[0].engine(), runs[1].engine());
     StateErrors none;

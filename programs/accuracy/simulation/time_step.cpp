@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Varies the integration scheme and its time step: the systems are the schemes, the settings steps per contact.
-#include "dem/engine/time_step.hpp"
 
 #include "programs/accuracy/simulation/elastic_gas.hpp"
 #include "programs/accuracy/simulation/error_curves.hpp"
 #include "programs/accuracy/simulation/studies.hpp"
 #include "programs/accuracy/simulation/timed_run.hpp"
-#include "programs/measure/timing.hpp"
 
 #include <algorithm>
 
@@ -21,10 +19,6 @@ const std::vector<double> kQuickCollisionSteps = {10, 20, 50, 160};
 const std::vector<double> kQuickEnergySteps = {20, 160};
 constexpr int kSpans = 400, kQuickSpans = 40;  // of 25 t_c
 
-// Costs are those of a gas large enough to forget the work per step, and timed over the same span of simulated time
-// with any time step: stored candidates then are searched anew as often.
-constexpr size_t kTimedCount = 4096;
-constexpr double kTimedContacts = 6;  // in t_c: two new searches
 constexpr int kMostRounds = 3;
 
 const dem::Scheme kSchemes[] = {dem::velocity_verlet(), dem::symplectic_euler(), dem::leapfrog(), dem::forest_ruth()};
@@ -35,19 +29,14 @@ struct SchemeRun {
   TimedRun gas;
 
   void run() { gas.run(); }
-  double ns_per_contact() const { return steps * gas.ns_per_particle_and_step(); }
 };
 
 std::vector<SchemeRun> timed_runs(const std::vector<double> &steps, int rounds) {
-  dem::Setup setup = melted_gas(timed_gas(kTimedCount));
+  dem::Setup setup = melted_gas(timed_gas(kTimedGasCount));
   std::vector<SchemeRun> runs;
   for (const dem::Scheme &scheme : kSchemes) {
-    for (const double n : steps) {
-      setup.scheme = scheme;
-      setup.time_step = dem::shortest_contact(setup) / n;
-      const auto warm_up = static_cast<uint64_t>(n), timed = static_cast<uint64_t>(kTimedContacts * n);
-      runs.push_back({scheme.name, n, TimedRun(setup, dem::Precision::kDouble, warm_up, timed)});
-    }
+    setup.scheme = scheme;
+    for (const double n : steps) runs.push_back({scheme.name, n, TimedRun(setup, dem::Precision::kDouble, n)});
   }
   measure::in_turns(runs, rounds);
   return runs;
@@ -60,7 +49,7 @@ void add_curve(const std::string &scheme, const std::vector<double> &nominal_ste
     const auto run =
         std::find_if(runs.begin(), runs.end(), [&](const SchemeRun &r) { return r.scheme == scheme && r.steps == n; });
     record.add({"n = " + std::to_string(static_cast<int>(n)),
-                run->ns_per_contact(),
+                run->gas.ns_per_contact(),
                 {{curve.error_of, curve.errors[k], ""}},
                 scheme == dem::Setup().scheme.name && n == dem::kUsualStepsPerContact,
                 curve.steps[k]});
