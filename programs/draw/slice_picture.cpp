@@ -56,8 +56,8 @@ Window overview_window(const Slice &slice) {
   return window;
 }
 
-// The particle whose search the close-up explains: on a coarser level, cut near its equator, and so that all cells that
-// it visits on the finest level show.
+// The particle by which the close-up explains a search: on a coarser level, cut near its equator, and so that all cells
+// of the finest level show in which partners can lie.
 bool explains_search(const Slice &slice, const Window &window, const Disk &disk) {
   const double reach = disk.sphere_radius + 1.6 * slice.levels.front().cell_size;
   return disk.level > 0 && disk.radius > 0.8 * disk.sphere_radius && disk.u - reach > window.u &&
@@ -66,10 +66,9 @@ bool explains_search(const Slice &slice, const Window &window, const Disk &disk)
 }
 
 std::optional<Disk> search_example(const Slice &slice, const Window &window) {
-  for (const Disk &disk : slice.disks) {
-    if (explains_search(slice, window, disk)) return disk;
-  }
-  return std::nullopt;
+  const auto found = std::find_if(slice.disks.begin(), slice.disks.end(),
+                                  [&](const Disk &disk) { return explains_search(slice, window, disk); });
+  return found == slice.disks.end() ? std::nullopt : std::optional<Disk>(*found);
 }
 
 // How much a close-up of this window tells: above all a search, of a large particle if possible; then many levels and
@@ -151,7 +150,7 @@ void draw_panel(Svg &svg, const Slice &slice, const View &view, const ShownLevel
 
 void draw_search(Svg &svg, const Slice &slice, const View &view, const Disk &disk) {
   svg.open_clip(view.frame);
-  draw_visited_cells(svg, slice, view, disk, slice.levels.front().cell_size,
+  draw_partner_cells(svg, slice, view, disk, slice.levels.front().cell_size,
                      "fill=\"" + std::string(kAccent) + "\" fill-opacity=\"0.2\" " + kAccentLine + "\"2\"");
   svg.circle(view.point(disk.u, disk.v), disk.radius * view.scale(), "fill=\"none\" " + kAccentLine + "\"3\"");
   svg.close_clip();
@@ -199,7 +198,7 @@ void draw_notes(Svg &svg, const Slice &slice, const Window &overview, bool has_e
   std::vector<std::string> notes;
   notes.push_back(in_overview.empty() ? "lines " + in_close_up
                                       : "lines: cells of " + levels_text(in_overview) + "; " + in_close_up);
-  if (has_example) notes.push_back("shaded: the cells of level 1 that the ringed particle's search visits");
+  if (has_example) notes.push_back("shaded: the cells of level 1 in which partners of the ringed particle can lie");
   if (overview.width < slice.box.width) {
     notes.push_back("only the middle of the box is drawn, " + number_text(100 * overview.width / slice.box.width) +
                     " % of its width");

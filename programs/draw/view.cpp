@@ -42,7 +42,7 @@ void draw_cells(Svg &svg, const Slice &slice, const View &view, double cell_size
   svg.close_group();
 }
 
-void draw_visited_cells(Svg &svg, const Slice &slice, const View &view, const Disk &disk, double cell_size,
+void draw_partner_cells(Svg &svg, const Slice &slice, const View &view, const Disk &disk, double cell_size,
                         const std::string &style) {
   const double a = disk.sphere_radius + 0.5 * cell_size;
   const auto edge = [cell_size](double corner, double x) {

@@ -3,7 +3,7 @@
 // The judge of `hgrid accuracy`: its sweep against looking at every pair in whole numbers, what it says of an injected
 // fault, and of the library.
 #include "oracle/pairs.hpp"
-#include "programs/accuracy/search/decision_rule.hpp"
+#include "programs/accuracy/contacts.hpp"
 #include "programs/accuracy/search/systems.hpp"
 #include "programs/measure/search_timer.hpp"
 #include "tests/oracle/whole_numbers.hpp"
@@ -24,6 +24,16 @@ const std::vector<particles::ParticleSet> &systems() {
   return all;
 }
 
+oracle::Pairs true_pairs(const particles::ParticleSet &particles) {
+  return oracle::swept_pairs(measure::def_of(particles), particles, oracle::exact_interact);
+}
+
+oracle::Pairs found_pairs(const particles::ParticleSet &particles, int32_t accuracy) {
+  hg_grid_def def = measure::def_of(particles);
+  def.accuracy = accuracy;
+  return accuracy::found_pairs(def, particles);
+}
+
 bool same(const oracle::Pairs &a, const oracle::Pairs &b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), oracle::pair_equal);
 }
@@ -31,14 +41,14 @@ bool same(const oracle::Pairs &a, const oracle::Pairs &b) {
 bool the_sweep_finds_what_all_pairs_hold() {
   for (const particles::ParticleSet &particles : systems()) {
     const oracle::Pairs all = hgtest::whole_number_pairs(measure::def_of(particles), particles);
-    if (all.empty() || !same(accuracy::true_pairs(particles), all)) return false;
+    if (all.empty() || !same(true_pairs(particles), all)) return false;
   }
   return true;
 }
 
 // A pair taken out and another put in are named, in whatever order the list is.
 bool an_injected_fault_is_found() {
-  const oracle::Pairs truth = accuracy::true_pairs(systems()[0]);
+  const oracle::Pairs truth = true_pairs(systems()[0]);
   oracle::Pairs found(truth.rbegin(), truth.rend());
   const auto lost = found[found.size() / 2];
   found[found.size() / 2] = found.front();  // once more instead
@@ -50,14 +60,13 @@ bool an_injected_fault_is_found() {
 // HG_EXACT is never wrong, HG_FLOAT never misses; the lattice shows that the judge does see wrong pairs.
 bool the_library_keeps_its_promise() {
   for (const particles::ParticleSet &particles : systems()) {
-    const oracle::Pairs truth = accuracy::true_pairs(particles);
-    const oracle::Difference exact = oracle::difference(truth, accuracy::pairs_at(particles, HG_EXACT));
-    const oracle::Difference with_float = oracle::difference(truth, accuracy::pairs_at(particles, HG_FLOAT));
+    const oracle::Pairs truth = true_pairs(particles);
+    const oracle::Difference exact = oracle::difference(truth, found_pairs(particles, HG_EXACT));
+    const oracle::Difference with_float = oracle::difference(truth, found_pairs(particles, HG_FLOAT));
     if (exact.count() != 0 || !with_float.missing.empty()) return false;
   }
   const particles::ParticleSet &lattice = systems().back();
-  const oracle::Difference wrong =
-      oracle::difference(accuracy::true_pairs(lattice), accuracy::pairs_at(lattice, HG_DOUBLE));
+  const oracle::Difference wrong = oracle::difference(true_pairs(lattice), found_pairs(lattice, HG_DOUBLE));
   std::printf("HG_DOUBLE on the lattice: %zu missing, %zu extra\n", wrong.missing.size(), wrong.extra.size());
   return !wrong.missing.empty() && !wrong.extra.empty();
 }

@@ -63,20 +63,13 @@ bool meet(const draw::Frame &a, const draw::Frame &b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
-std::vector<double> errors_of(const Panel &panel) {
+// Of all points of the panel, those above 0.
+std::vector<double> values_of(const Panel &panel, double Point::*value) {
   std::vector<double> values;
   for (const Series &series : panel.series) {
-    for (const Point &p : series) {
-      if (has_error(p)) values.push_back(p.error);
+    for (const Point &point : series) {
+      if (point.*value > 0) values.push_back(point.*value);
     }
-  }
-  return values;
-}
-
-std::vector<double> costs_of(const Panel &panel) {
-  std::vector<double> values;
-  for (const Series &series : panel.series) {
-    for (const Point &p : series) values.push_back(p.cost);
   }
   return values;
 }
@@ -87,8 +80,8 @@ class Plot {
   Plot(const Panel &panel, draw::Point corner)
       : panel_(panel),
         frame_{corner.x, corner.y, kPlotWidth, kPlotHeight},
-        errors_(errors_of(panel), corner.x + kStrip, corner.x + kPlotWidth),
-        costs_(costs_of(panel), corner.y + kPlotHeight, corner.y) {}
+        errors_(values_of(panel, &Point::error), corner.x + kStrip, corner.x + kPlotWidth),
+        costs_(values_of(panel, &Point::cost), corner.y + kPlotHeight, corner.y) {}
 
   void draw(draw::Svg &svg) const {
     draw_axes(svg);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Varies `accuracy` of a grid, on systems of touching pairs: small ones to be held against the truth and large ones of
 // the same kind to be timed.
-#include "programs/accuracy/search/decision_rule.hpp"
-
+#include "oracle/pairs.hpp"
 #include "particles/text/formatted.hpp"
 #include "programs/accuracy/contacts.hpp"
 #include "programs/accuracy/search/studies.hpp"
@@ -45,6 +44,10 @@ hg_grid_def def_of(const particles::ParticleSet &particles, int32_t accuracy) {
   return def;
 }
 
+oracle::Pairs true_pairs(const particles::ParticleSet &particles) {
+  return oracle::swept_pairs(measure::def_of(particles), particles, oracle::exact_interact);
+}
+
 // What moving them far from the origin does to the pairs, before any search: places are rounded more coarsely there.
 std::string moving_note(const System &system, size_t count, const oracle::Pairs &truth) {
   if (system.offset == 0) return "";
@@ -62,7 +65,7 @@ void measure_system(const System &system, Recorder &record) {
   for (const Rule &rule : kRules) timers.emplace_back(def_of(large, rule.accuracy), large);
   measure::in_turns(timers, budget.repeats);
   for (size_t k = 0; k < timers.size(); k++) {
-    const oracle::Difference wrong = oracle::difference(truth, pairs_at(small, kRules[k].accuracy));
+    const oracle::Difference wrong = oracle::difference(truth, found_pairs(def_of(small, kRules[k].accuracy), small));
     const std::string note =
         particles::formatted("%zu missing, %zu extra of %zu", wrong.missing.size(), wrong.extra.size(), truth.size());
     const double error = static_cast<double>(wrong.count()) / static_cast<double>(truth.size());
@@ -74,14 +77,6 @@ void measure_system(const System &system, Recorder &record) {
 }
 
 }  // namespace
-
-oracle::Pairs true_pairs(const particles::ParticleSet &particles) {
-  return oracle::swept_pairs(measure::def_of(particles), particles, oracle::exact_interact);
-}
-
-oracle::Pairs pairs_at(const particles::ParticleSet &particles, int32_t accuracy) {
-  return found_pairs(def_of(particles, accuracy), particles);
-}
 
 void measure_decision_rules(Recorder &record) {
   for (const System &system : systems_of(record.budget())) {

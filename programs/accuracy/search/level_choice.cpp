@@ -61,55 +61,36 @@ Method own_method(const std::string &name, const std::function<Edges(Random &)> 
   return {name, choose, once, draws};
 }
 
+double build_seconds(particles::Grid &grid, const particles::ParticleSet &particles) {
+  particles::check(hg_clear(grid.get()));
+  return measure::seconds_of([&] {
+    grid.insert(particles);
+    grid.build();
+  });
+}
+
 // The library's choice, its time the difference to a grid that is told its cells.
-class LibraryChoice {
- public:
-  LibraryChoice(const particles::ParticleSet &particles, int32_t rule)
-      : particles_(particles), asked_(def_of(particles, rule)), told_(told_def()) {}
-
-  double seconds_once() { return build_seconds(asked_) - build_seconds(told_); }
-
-  Edges edges() {
-    Edges edges;
-    for (const hg_level &level : asked_.levels()) edges.push_back(level.largest_radius);
-    return edges;
-  }
-
- private:
-  static hg_grid_def def_of(const particles::ParticleSet &particles, int32_t rule) {
-    hg_grid_def def = measure::def_of(particles);
-    def.thread_count = 1;
-    def.level_rule = rule;
-    def.cell_overhead = kPaperOverhead;
-    return def;
-  }
-
-  hg_grid_def told_def() {
-    asked_.insert(particles_);
-    for (const hg_level &level : asked_.levels()) cell_sizes_.push_back(level.cell_size);
-    hg_grid_def def = def_of(particles_, HG_LEVELS_USER);
-    def.level_count = static_cast<int32_t>(cell_sizes_.size());
-    def.cell_sizes = cell_sizes_.data();
-    return def;
-  }
-
-  double build_seconds(particles::Grid &grid) {
-    particles::check(hg_clear(grid.get()));
-    return measure::seconds_of([&] {
-      grid.insert(particles_);
-      grid.build();
-    });
-  }
-
-  const particles::ParticleSet &particles_;
-  std::vector<double> cell_sizes_;
-  particles::Grid asked_, told_;
-};
-
 Method library_method(const std::string &name, const particles::ParticleSet &particles, int32_t rule) {
-  const auto library = std::make_shared<LibraryChoice>(particles, rule);
-  return {name, [library](Random &) { return library->edges(); },
-          [library](Random &) { return library->seconds_once(); }, 1};
+  hg_grid_def def = measure::def_of(particles);
+  def.thread_count = 1;
+  def.level_rule = rule;
+  def.cell_overhead = kPaperOverhead;
+  const auto asked = std::make_shared<particles::Grid>(def);
+  asked->insert(particles);
+  Edges edges;
+  std::vector<double> cell_sizes;
+  for (const hg_level &level : asked->levels()) {
+    edges.push_back(level.largest_radius);
+    cell_sizes.push_back(level.cell_size);
+  }
+  def.level_rule = HG_LEVELS_USER;
+  def.level_count = static_cast<int32_t>(cell_sizes.size());
+  def.cell_sizes = cell_sizes.data();
+  const auto told = std::make_shared<particles::Grid>(def);
+  const auto once = [asked, told, &particles](Random &) {
+    return build_seconds(*asked, particles) - build_seconds(*told, particles);
+  };
+  return {name, [edges](Random &) { return edges; }, once, 1};
 }
 
 std::vector<Method> methods_for(const particles::ParticleSet &particles, const Budget &budget) {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // `hgrid calibrate`: fits the prices by which levels are chosen to the times measured on this machine.
-#include "packing/packing.hpp"
 #include "particles/error.hpp"
 #include "particles/files/reader.hpp"
+#include "programs/accuracy/search/systems.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/measure/least_squares.hpp"
 #include "programs/measure/search_timer.hpp"
@@ -52,30 +52,21 @@ struct Sample {
 // Levels that take this much longer than the best are never chosen; they would bend the fit where it matters.
 constexpr double kDearest = 2.5;
 
-packing::Request request_of(packing::SizeLaw law, size_t count) {
-  packing::Request request;
-  request.law = law;
-  request.count = count;
-  request.sweeps = 20;
-  return request;
-}
-
 std::vector<System> make_systems(const CalibrateOptions &options) {
   std::vector<System> systems;
   for (const std::string &file : options.files) systems.push_back({file, particles::read_particles(file)});
   if (!systems.empty()) return systems;
   using packing::Law;
-  const std::vector<std::pair<const char *, packing::SizeLaw>> laws = {
-      {"mono", {Law::kMono, 1, 3}},
-      {"two-sizes, ratio 5", {Law::kTwoSizes, 5, 3}},
-      {"uniform-size, ratio 50", {Law::kUniformSize, 50, 3}},
-      {"uniform-volume, ratio 10", {Law::kUniformVolume, 10, 3}},
-      {"uniform-volume, ratio 30", {Law::kUniformVolume, 30, 3}},
-      {"log-normal, sigma 0.3", {Law::kLogNormal, 1, 3, 3, 0.3}},
-      {"log-normal, sigma 1", {Law::kLogNormal, 1, 3, 3, 1}},
-      {"power-law, ratio 20, exponent 4", {Law::kPowerLaw, 20, 3, 4}}};
+  const std::vector<accuracy::NamedLaw> laws = {{"mono", {Law::kMono, 1, 3}},
+                                                {"two-sizes, ratio 5", {Law::kTwoSizes, 5, 3}},
+                                                {"uniform-size, ratio 50", {Law::kUniformSize, 50, 3}},
+                                                {"uniform-volume, ratio 10", {Law::kUniformVolume, 10, 3}},
+                                                {"uniform-volume, ratio 30", {Law::kUniformVolume, 30, 3}},
+                                                {"log-normal, sigma 0.3", {Law::kLogNormal, 1, 3, 3, 0.3}},
+                                                {"log-normal, sigma 1", {Law::kLogNormal, 1, 3, 3, 1}},
+                                                {"power-law, ratio 20, exponent 4", {Law::kPowerLaw, 20, 3, 4}}};
   for (const auto &[name, law] : laws) {
-    systems.push_back({name, packing::make_packing(request_of(law, options.count), nullptr).particles});
+    systems.push_back({name, accuracy::relaxed(law, options.count, 20)});
   }
   return systems;
 }
