@@ -10,11 +10,11 @@ namespace oracle {
 
 bool double_interact(const hg_grid_def &def, const Sphere &a, const Sphere &b) {
   double d[3] = {0, 0, 0};
-  for (int k = 0; k < def.dimension; k++) {
-    d[k] = a.center[k] - b.center[k];
-    if (def.periodic[k] != 0) {
-      const double length = def.box_max[k] - def.box_min[k];
-      d[k] -= std::nearbyint(d[k] / length) * length;
+  for (int axis = 0; axis < def.dimension; axis++) {
+    d[axis] = a.center[axis] - b.center[axis];
+    if (def.periodic[axis] != 0) {
+      const double length = def.box_max[axis] - def.box_min[axis];
+      d[axis] -= std::nearbyint(d[axis] / length) * length;
     }
   }
   const double base = def.interaction == HG_MAX_RANGE ? std::fmax(a.radius, b.radius) : a.radius + b.radius;

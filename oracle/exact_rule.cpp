@@ -20,10 +20,10 @@ mpz_class nearest_integer(const mpq_class &x) {
 
 mpq_class exact_squared_distance(const hg_grid_def &def, const double *a, const double *b) {
   mpq_class sum = 0;
-  for (int k = 0; k < def.dimension; k++) {
-    mpq_class d = mpq_class(a[k]) - mpq_class(b[k]);
-    if (def.periodic[k] != 0) {
-      const mpq_class length = mpq_class(def.box_max[k]) - mpq_class(def.box_min[k]);
+  for (int axis = 0; axis < def.dimension; axis++) {
+    mpq_class d = mpq_class(a[axis]) - mpq_class(b[axis]);
+    if (def.periodic[axis] != 0) {
+      const mpq_class length = mpq_class(def.box_max[axis]) - mpq_class(def.box_min[axis]);
       d -= nearest_integer(d / length) * length;
     }
     sum += d * d;
@@ -52,10 +52,10 @@ Verdict clear_verdict(const hg_grid_def &def, const Sphere &a, const Sphere &b) 
   constexpr double kFold = 16 * 0x1p-53;
   double distance2 = 0;
   double slack = 0;
-  for (int k = 0; k < def.dimension; k++) {
-    double d = a.center[k] - b.center[k];
-    if (def.periodic[k] != 0) {
-      const double length = def.box_max[k] - def.box_min[k];
+  for (int axis = 0; axis < def.dimension; axis++) {
+    double d = a.center[axis] - b.center[axis];
+    if (def.periodic[axis] != 0) {
+      const double length = def.box_max[axis] - def.box_min[axis];
       const double error = kFold * (std::fabs(d) + length);
       d -= std::nearbyint(d / length) * length;
       slack += 2 * std::fabs(d) * error + error * error;

@@ -29,11 +29,14 @@ constexpr double kMostCellsAcrossCloseUp = 20;
 constexpr double kMostCellsAcross = 16;
 constexpr int kCandidatesPerAxis = 24;
 
-const std::string kAccentLine = "stroke=\"" + std::string(kAccent) + "\" stroke-width=";
-const std::string kStrongLines = "stroke=\"#14304a\" stroke-width=\"1.5\" stroke-opacity=\"0.8\"";
-const std::string kThinLines =
+constexpr char kStrongLines[] = "stroke=\"#14304a\" stroke-width=\"1.5\" stroke-opacity=\"0.8\"";
+constexpr char kThinLines[] =
     "stroke=\"#14304a\" stroke-width=\"0.8\" stroke-opacity=\"0.45\" stroke-dasharray=\"4 3\"";
 constexpr double kLetters = 13;
+
+std::string accent_line(int width) {
+  return "stroke=\"" + std::string(kAccent) + "\" stroke-width=\"" + std::to_string(width) + "\"";
+}
 
 std::string number_text(double number) { return particles::formatted("%.4g", number); }
 
@@ -52,7 +55,11 @@ Window middle_of(const Window &window, double share) {
 // The whole box, or the part in its middle that has not too many disks.
 Window overview_window(const Slice &slice) {
   Window window = slice.box;
-  for (double share = 1; count_in(slice, window) > kMostDisks; share *= 0.8) window = middle_of(slice.box, share);
+  double share = 1;
+  while (count_in(slice, window) > kMostDisks) {
+    share *= 0.8;
+    window = middle_of(slice.box, share);
+  }
   return window;
 }
 
@@ -151,8 +158,8 @@ void draw_panel(Svg &svg, const Slice &slice, const View &view, const ShownLevel
 void draw_search(Svg &svg, const Slice &slice, const View &view, const Disk &disk) {
   svg.open_clip(view.frame);
   draw_partner_cells(svg, slice, view, disk, slice.levels.front().cell_size,
-                     "fill=\"" + std::string(kAccent) + "\" fill-opacity=\"0.2\" " + kAccentLine + "\"2\"");
-  svg.circle(view.point(disk.u, disk.v), disk.radius * view.scale(), "fill=\"none\" " + kAccentLine + "\"3\"");
+                     "fill=\"" + std::string(kAccent) + "\" fill-opacity=\"0.2\" " + accent_line(2));
+  svg.circle(view.point(disk.u, disk.v), disk.radius * view.scale(), "fill=\"none\" " + accent_line(3));
   svg.close_clip();
 }
 
@@ -163,8 +170,8 @@ void draw_frames(Svg &svg, const View &overview, const View &close_up) {
   const Frame mark{top_left.x, top_left.y, side, side};
   svg.rectangle(overview.frame, "fill=\"none\" stroke=\"#222\" stroke-width=\"1\"");
   svg.rectangle(mark, "fill=\"none\" stroke=\"#ffffff\" stroke-width=\"6\"");
-  svg.rectangle(mark, "fill=\"none\" " + kAccentLine + "\"3\"");
-  svg.rectangle(close_up.frame, "fill=\"none\" " + kAccentLine + "\"3\"");
+  svg.rectangle(mark, "fill=\"none\" " + accent_line(3));
+  svg.rectangle(close_up.frame, "fill=\"none\" " + accent_line(3));
 }
 
 void draw_legend(Svg &svg, const Slice &slice, Point corner) {
@@ -196,9 +203,9 @@ void draw_notes(Svg &svg, const Slice &slice, const Window &overview, bool has_e
   const ShownLevels in_overview = overview_levels(slice);
   const std::string in_close_up = "in the close-up: cells of " + levels_text(close_up_levels(slice));
   std::vector<std::string> notes;
-  notes.push_back(in_overview.empty() ? "lines " + in_close_up
-                                      : "lines: cells of " + levels_text(in_overview) + "; " + in_close_up);
-  if (has_example) notes.push_back("shaded: the cells of level 1 in which partners of the ringed particle can lie");
+  notes.emplace_back(in_overview.empty() ? "lines " + in_close_up
+                                         : "lines: cells of " + levels_text(in_overview) + "; " + in_close_up);
+  if (has_example) notes.emplace_back("shaded: the cells of level 1 in which partners of the ringed particle can lie");
   if (overview.width < slice.box.width) {
     notes.push_back("only the middle of the box is drawn, " + number_text(100 * overview.width / slice.box.width) +
                     " % of its width");

@@ -10,7 +10,7 @@ namespace {
 
 using namespace hgtest;
 
-__extension__ typedef __float128 Quadruple;
+using Quadruple = __float128;
 
 bool quadruple_interact(const hg_grid_def &, const Sphere &a, const Sphere &b) {
   Quadruple square = 0;

@@ -33,7 +33,7 @@ void check(const Scene &scene) {
 
 void open_scenes_agree(void **) {
   bool all = true;
-  for (uint64_t seed = 0; seed < 4 * kPlacesCount * kSizesCount; seed++) {
+  for (uint64_t seed = 0; seed < uint64_t{4} * kPlacesCount * kSizesCount; seed++) {
     all &= holds(seed, [](uint64_t s) {
       Rng rng(s);
       const auto places = static_cast<Places>(s % kPlacesCount);
@@ -46,7 +46,7 @@ void open_scenes_agree(void **) {
 
 void periodic_scenes_agree(void **) {
   bool all = true;
-  for (uint64_t seed = 0; seed < 2 * 7 * kSizesCount; seed++) {
+  for (uint64_t seed = 0; seed < uint64_t{2} * 7 * kSizesCount; seed++) {
     all &= holds(seed, [](uint64_t s) {
       Rng rng(s);
       const int axes = 1 + static_cast<int>(s % 7);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace accuracy {
@@ -14,15 +15,16 @@ bool same_series(const Point &a, const Point &b) {
 }
 
 // Of points with the same error the cheapest, or the default if that is no dearer.
-const Point &best_of(const Series &series, double error) {
-  const Point *best = nullptr;
-  for (const Point &point : series) {
-    if (point.error == error && (best == nullptr || point.cost < best->cost)) best = &point;
+Point best_of(const Series &series, double error) {
+  Series same;
+  std::copy_if(series.begin(), series.end(), std::back_inserter(same),
+               [error](const Point &point) { return point.error == error; });
+  const Point &best =
+      *std::min_element(same.begin(), same.end(), [](const Point &a, const Point &b) { return a.cost < b.cost; });
+  for (const Point &point : same) {
+    if (point.is_default && point.cost <= kSameCost * best.cost) return point;
   }
-  for (const Point &point : series) {
-    if (point.error == error && point.is_default && point.cost <= kSameCost * best->cost) return point;
-  }
-  return *best;
+  return best;
 }
 
 DigitCost cost_between(const Point &from, const Point &to) {
@@ -54,7 +56,7 @@ Series pareto_front(const Series &series) {
   Series front;
   double least_cost = HUGE_VAL;  // of all points with less error
   for (const double error : errors) {
-    const Point &point = best_of(series, error);
+    const Point point = best_of(series, error);
     if (kSameCost * point.cost < least_cost) front.push_back(point);
     least_cost = std::min(least_cost, point.cost);
   }

@@ -140,7 +140,7 @@ class Plot {
 
   // Names of settings, of one series only: the others' would hide each other. The front's and the default's come first.
   void draw_labels(draw::Svg &svg) const {
-    const Series *longest = &panel_.series[0];
+    const Series *longest = &panel_.series.front();
     for (const Series &series : panel_.series) {
       if (pareto_front(series).size() > pareto_front(*longest).size()) longest = &series;
     }
@@ -176,9 +176,10 @@ class Plot {
 
   void draw_legend(draw::Svg &svg) const {
     double y = frame_.y + frame_.height + kBottom + 14;
-    for (size_t k = 0; k < panel_.series.size(); k++, y += kLegendRow) {
+    for (size_t k = 0; k < panel_.series.size(); k++) {
       svg.circle({frame_.x + 6, y - 4}, 4, "fill=\"" + draw::series_color(k) + "\"");
       svg.text({frame_.x + 18, y}, panel_.series[k][0].system, kSmall);
+      y += kLegendRow;
     }
   }
 
@@ -201,8 +202,9 @@ std::string pareto_picture(const std::vector<Study> &studies, const std::vector<
   const double height = 2 * kMargin + cell_height * static_cast<double>(rows);
   draw::Svg svg(width, height);
   for (size_t k = 0; k < panels.size(); k++) {
-    const draw::Point corner{kMargin + kLeft + cell_width * static_cast<double>(k % columns),
-                             kMargin + kTop + cell_height * static_cast<double>(k / columns)};
+    const size_t row = k / columns, column = k % columns;
+    const draw::Point corner{kMargin + kLeft + cell_width * static_cast<double>(column),
+                             kMargin + kTop + cell_height * static_cast<double>(row)};
     Plot(panels[k], corner).draw(svg);
   }
   svg.text({kMargin, height - kMargin},

@@ -44,7 +44,7 @@ std::string markdown_table(const std::vector<Row> &rows) {
   for (const Row &row : rows) {
     for (const std::string &cell : row) table += "| " + cell + " ";
     table += "|\n";
-    if (&row != &rows[0]) continue;
+    if (&row != &rows.front()) continue;
     for (size_t k = 0; k < row.size(); k++) table += "|---";
     table += "|\n";
   }

@@ -18,7 +18,7 @@ struct Candidates {
   particles::ParticleSet particles;
   std::vector<hg_pair> pairs;
 };
-Candidates candidates_of(const particles::ParticleSet &particles);
+Candidates candidates_of(const particles::ParticleSet &input);
 
 // As filter_pairs, but boxes are compared first. Returns how many candidates were tested as spheres.
 size_t filter_boxes_first(const Candidates &candidates, std::vector<hg_pair> &pairs);

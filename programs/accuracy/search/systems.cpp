@@ -16,12 +16,12 @@ void draw_direction(packing::Random &random, double *direction) {
   double square = 0;
   do {
     square = 0;
-    for (int k = 0; k < 3; k++) {
-      direction[k] = 2 * random.uniform() - 1;
-      square += direction[k] * direction[k];
+    for (int axis = 0; axis < 3; axis++) {
+      direction[axis] = 2 * random.uniform() - 1;
+      square += direction[axis] * direction[axis];
     }
   } while (square > 1 || square < 1e-6);
-  for (int k = 0; k < 3; k++) direction[k] /= std::sqrt(square);
+  for (int axis = 0; axis < 3; axis++) direction[axis] /= std::sqrt(square);
 }
 
 }  // namespace
@@ -43,9 +43,9 @@ particles::ParticleSet touching_chain(size_t count, double ratio) {
     const double next = std::pow(ratio, -random.uniform());
     double direction[3];
     draw_direction(random, direction);
-    for (int k = 0; k < 3; k++) {
-      const double step = (radius + next) * direction[k];
-      x[k] += std::fabs(x[k] + step) > half_edge ? -step : step;
+    for (int axis = 0; axis < 3; axis++) {
+      const double step = (radius + next) * direction[axis];
+      x[axis] += std::fabs(x[axis] + step) > half_edge ? -step : step;
     }
     radius = next;
     particles.centers.insert(particles.centers.end(), x, x + 3);
@@ -62,9 +62,9 @@ particles::ParticleSet turned_lattice(size_t count) {
   while (side * side * side < count) side++;
   particles::ParticleSet particles;
   for (size_t cell = 0; cell < side * side * side; cell++) {
-    const double u = 2 * kRadius * static_cast<double>(cell % side);
-    const double v = 2 * kRadius * static_cast<double>(cell / side % side);
-    const double w = 2 * kRadius * static_cast<double>(cell / side / side);
+    const size_t place[] = {cell % side, cell / side % side, cell / side / side};
+    const double u = 2 * kRadius * static_cast<double>(place[0]), v = 2 * kRadius * static_cast<double>(place[1]),
+                 w = 2 * kRadius * static_cast<double>(place[2]);
     const double turned = s * u + c * v;
     for (const double x : {c * u - s * v, c2 * turned - s2 * w, s2 * turned + c2 * w}) particles.centers.push_back(x);
     particles.radii.push_back(kRadius);
@@ -74,9 +74,9 @@ particles::ParticleSet turned_lattice(size_t count) {
 
 particles::ParticleSet moved(particles::ParticleSet particles, double offset) {
   for (double &x : particles.centers) x += offset;
-  for (int k = 0; k < particles.dimension && particles.has_box; k++) {
-    particles.box_min[k] += offset;
-    particles.box_max[k] += offset;
+  for (int axis = 0; axis < particles.dimension && particles.has_box; axis++) {
+    particles.box_min[axis] += offset;
+    particles.box_max[axis] += offset;
   }
   return particles;
 }

@@ -7,6 +7,7 @@
 #include "programs/accuracy/simulation/timed_run.hpp"
 
 namespace accuracy {
+
 void measure_rounding(Recorder &record) {
   const bool quick = record.budget().quick;
   const std::vector<double> all = {10, 20, 50, 100, 200}, few = {20, 50};

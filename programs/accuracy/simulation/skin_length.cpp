@@ -11,12 +11,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace accuracy {
 namespace {
 
 // In radii of the smallest particle; the first is what the others are held against.
-const std::vector<double> kSkins = {0, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5};
+constexpr double kSkins[] = {0, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5};
 constexpr double kUsualSkin = 0.1;  // of `hgrid run`
 constexpr int kContacts = 4;        // in t_c, of each run and of warming up
 constexpr int kMostRounds = 3;
@@ -98,6 +99,7 @@ Finding finding_of(SkinRun &run, const dem::Snapshot &reference) {
 
 void measure_system(dem::Setup setup, Recorder &record) {
   std::vector<SkinRun> runs;
+  runs.reserve(std::size(kSkins));
   for (const double skin : kSkins) runs.push_back(skin_run(setup, skin));
   measure::in_turns(runs, std::min(record.budget().repeats, kMostRounds));
   const dem::Snapshot reference = runs[0].timed.engine().snapshot();

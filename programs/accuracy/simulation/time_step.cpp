@@ -12,16 +12,19 @@
 namespace accuracy {
 namespace {
 
-// Whole numbers, a quarter of an octave to half an octave apart; the usual 50 among them.
-const std::vector<double> kCollisionSteps = {10, 14, 20, 28, 40, 50, 80, 112, 160, 224, 320};
-const std::vector<double> kEnergySteps = {10, 14, 20, 28, 50, 112};
-const std::vector<double> kQuickCollisionSteps = {10, 20, 50, 160};
-const std::vector<double> kQuickEnergySteps = {20, 160};
-constexpr int kSpans = 400, kQuickSpans = 40;  // of 25 t_c
+using Steps = std::vector<double>;  // per contact
 
+// Whole numbers, a quarter of an octave to half an octave apart; the usual 50 among them.
+Steps collision_steps(bool quick) {
+  return quick ? Steps{10, 20, 50, 160} : Steps{10, 14, 20, 28, 40, 50, 80, 112, 160, 224, 320};
+}
+Steps energy_steps(bool quick) { return quick ? Steps{20, 160} : Steps{10, 14, 20, 28, 50, 112}; }
+constexpr int kSpans = 400, kQuickSpans = 40;  // of 25 t_c
 constexpr int kMostRounds = 3;
 
-const dem::Scheme kSchemes[] = {dem::velocity_verlet(), dem::symplectic_euler(), dem::leapfrog(), dem::forest_ruth()};
+std::vector<dem::Scheme> schemes() {
+  return {dem::velocity_verlet(), dem::symplectic_euler(), dem::leapfrog(), dem::forest_ruth()};
+}
 
 struct SchemeRun {
   std::string scheme;
@@ -31,10 +34,10 @@ struct SchemeRun {
   void run() { gas.run(); }
 };
 
-std::vector<SchemeRun> timed_runs(const std::vector<double> &steps, int rounds) {
+std::vector<SchemeRun> timed_runs(const Steps &steps, int rounds) {
   dem::Setup setup = melted_gas(timed_gas(kTimedGasCount));
   std::vector<SchemeRun> runs;
-  for (const dem::Scheme &scheme : kSchemes) {
+  for (const dem::Scheme &scheme : schemes()) {
     setup.scheme = scheme;
     for (const double n : steps) runs.push_back({scheme.name, n, TimedRun(setup, dem::Precision::kDouble, n)});
   }
@@ -42,7 +45,7 @@ std::vector<SchemeRun> timed_runs(const std::vector<double> &steps, int rounds) 
   return runs;
 }
 
-void add_curve(const std::string &scheme, const std::vector<double> &nominal_steps, const ErrorCurve &curve,
+void add_curve(const std::string &scheme, const Steps &nominal_steps, const ErrorCurve &curve,
                const std::vector<SchemeRun> &runs, Recorder &record) {
   for (size_t k = 0; k < nominal_steps.size(); k++) {
     const double n = nominal_steps[k];
@@ -59,22 +62,21 @@ void add_curve(const std::string &scheme, const std::vector<double> &nominal_ste
 }  // namespace
 
 void measure_time_steps(Recorder &record) {
-  const Budget &budget = record.budget();
-  const std::vector<double> &collision_steps = budget.quick ? kQuickCollisionSteps : kCollisionSteps;
-  const std::vector<double> &energy_steps = budget.quick ? kQuickEnergySteps : kEnergySteps;
+  const bool quick = record.budget().quick;
+  const Steps for_collisions = collision_steps(quick), for_energy = energy_steps(quick);
   record.tell("timing");
   const std::vector<SchemeRun> runs =
-      timed_runs(collision_steps, budget.quick ? 1 : std::min(budget.repeats, kMostRounds));
-  for (const dem::Scheme &scheme : kSchemes) {
+      timed_runs(for_collisions, quick ? 1 : std::min(record.budget().repeats, kMostRounds));
+  for (const dem::Scheme &scheme : schemes()) {
     record.begin(scheme.name, "collisions");
-    for (const ErrorCurve &curve : collision_curves(scheme, collision_steps)) {
-      add_curve(scheme.name, collision_steps, curve, runs, record);
+    for (const ErrorCurve &curve : collision_curves(scheme, for_collisions)) {
+      add_curve(scheme.name, for_collisions, curve, runs, record);
     }
   }
-  for (const dem::Scheme &scheme : kSchemes) {
+  for (const dem::Scheme &scheme : schemes()) {
     record.begin(scheme.name, "energy of a gas");
-    for (const ErrorCurve &curve : energy_curves(scheme, energy_steps, budget.quick ? kQuickSpans : kSpans)) {
-      add_curve(scheme.name, energy_steps, curve, runs, record);
+    for (const ErrorCurve &curve : energy_curves(scheme, for_energy, quick ? kQuickSpans : kSpans)) {
+      add_curve(scheme.name, for_energy, curve, runs, record);
     }
   }
 }
