@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -133,10 +134,16 @@ void drop_dear_ones(std::vector<Sample> &samples) {
   samples.swap(kept);
 }
 
+std::vector<Observation> observations_of(const std::vector<Sample> &samples) {
+  std::vector<Observation> observations;
+  std::transform(samples.begin(), samples.end(), std::back_inserter(observations),
+                 [](const Sample &sample) { return sample.observation; });
+  return observations;
+}
+
 // What the prices are for: the times of a system's numbers of levels relative to each other. Its constant is the rest.
 void print_samples(const std::vector<Sample> &samples, const std::array<double, kTerms> &ns) {
-  std::vector<Observation> observations;
-  for (const Sample &s : samples) observations.push_back(s.observation);
+  const std::vector<Observation> observations = observations_of(samples);
   const std::vector<Observation> centered = measure::centered(observations);
   std::printf("%-34s %6s %8s %8s %10s %10s %8s\n", "system", "levels", "rows", "tests", "ns/part.", "fit", "error");
   double squares = 0;
@@ -154,13 +161,17 @@ void print_choices(const std::vector<System> &systems, const std::vector<Sample>
                    const std::array<double, kTerms> &ns) {
   std::printf("%-34s %10s %10s %18s\n", "system", "best L", "chosen L", "chosen over best");
   for (const System &system : systems) {
-    const Sample *best = nullptr, *chosen = nullptr;
+    std::vector<const Sample *> own;
     for (const Sample &s : samples) {
-      if (s.system != &system) continue;
-      if (best == nullptr || s.observation.value < best->observation.value) best = &s;
-      if (chosen == nullptr || measure::sum_of(ns, s.observation.term) < measure::sum_of(ns, chosen->observation.term))
-        chosen = &s;
+      if (s.system == &system) own.push_back(&s);
     }
+    if (own.empty()) continue;
+    const auto least = [&own](const auto &cost_of) {
+      return *std::min_element(own.begin(), own.end(),
+                               [&](const Sample *a, const Sample *b) { return cost_of(*a) < cost_of(*b); });
+    };
+    const Sample *best = least([](const Sample &s) { return s.observation.value; });
+    const Sample *chosen = least([&ns](const Sample &s) { return measure::sum_of(ns, s.observation.term); });
     std::printf("%-34s %10d %10d %18.3f\n", system.name.c_str(), best->levels, chosen->levels,
                 chosen->observation.value / best->observation.value);
   }
@@ -174,8 +185,7 @@ void run_calibrate(const CalibrateOptions &options) {
   std::vector<Sample> samples = make_samples(options, systems);
   measure_samples(options, samples);
   drop_dear_ones(samples);
-  std::vector<Observation> observations;
-  for (const Sample &s : samples) observations.push_back(s.observation);
+  const std::vector<Observation> observations = observations_of(samples);
   const std::array<double, kTerms> ns = measure::fit_non_negative(observations);
   const char *isa = std::getenv("HGRID_ISA");
   std::printf("instruction set: %s; counts and times per particle\n\n",
