@@ -5,6 +5,8 @@
 #include "fuzz/expect.hpp"
 #include "fuzz/grid_model.hpp"
 
+#include <hgrid/hgrid.h>
+
 #include <algorithm>
 #include <memory>
 
@@ -13,8 +15,8 @@ namespace {
 using fuzz::Bytes;
 using fuzz::expect;
 using fuzz::GridModel;
-using hgtest::Pairs;
-using hgtest::Particles;
+using oracle::Pairs;
+using Particles = particles::ParticleSet;
 
 constexpr size_t kMostParticles = 16;  // more only cost time: every pair is decided in rational numbers
 constexpr int kMostCalls = 24;
@@ -104,12 +106,12 @@ class Session {
     Particles batch;
     batch.dimension = def_.dimension;
     const int count = bytes_.below(8);
-    for (int i = 0; i < count && model_.size() + batch.size() < kMostParticles; i++) {
+    for (int i = 0; i < count && model_.size() + batch.count() < kMostParticles; i++) {
       double center[3];
       for (int k = 0; k < def_.dimension; k++) center[k] = bytes_.number();
       batch.add(center, bytes_.length());
     }
-    const hg_status status = hg_insert(grid_.get(), batch.size(), batch.centers.data(), batch.radii.data());
+    const hg_status status = hg_insert(grid_.get(), batch.count(), batch.centers.data(), batch.radii.data());
     if (status != HG_OK) {
       expect(!model_.must_take(batch), "good particles are refused");
       expect_refusal(status);
@@ -129,7 +131,7 @@ class Session {
       if (radii) moved.radii[bytes_.byte() % moved.radii.size()] = bytes_.length();
     }
     const hg_status status =
-        hg_move(grid_.get(), moved.size(), moved.centers.data(), radii ? moved.radii.data() : nullptr);
+        hg_move(grid_.get(), moved.count(), moved.centers.data(), radii ? moved.radii.data() : nullptr);
     if (status != HG_OK) {
       expect(!model_.must_take(moved), "a good move is refused");
       expect_refusal(status);
@@ -161,7 +163,7 @@ class Session {
     size_t count = 0;
     expect(hg_query_pairs(grid_.get(), &pairs, &count) == HG_OK, "hg_query_pairs fails");
     const Pairs found(pairs, pairs + count);
-    expect(def_.pair_order != HG_ORDER_ID || std::is_sorted(found.begin(), found.end(), hgtest::pair_less),
+    expect(def_.pair_order != HG_ORDER_ID || std::is_sorted(found.begin(), found.end(), oracle::pair_less),
            "pairs do not ascend");
     model_.check_pairs(found);
   }

@@ -12,17 +12,10 @@
 namespace fuzz {
 namespace {
 
-using hgtest::Pairs;
-using hgtest::Sphere;
+using oracle::Pairs;
+using oracle::Sphere;
 
 constexpr double kFloatExtra = 0x1p-47;  // docs/theory/exactness.md, section 9
-
-Pairs lacking(const Pairs &from, const Pairs &other) {
-  Pairs result;
-  std::set_difference(from.begin(), from.end(), other.begin(), other.end(), std::back_inserter(result),
-                      hgtest::pair_less);
-  return result;
-}
 
 }  // namespace
 
@@ -30,7 +23,7 @@ GridModel::GridModel(const hg_grid_def &def) : def_(def), next_id_(def.index_bas
   particles_.dimension = def.dimension;
 }
 
-bool GridModel::may_take(const hgtest::Particles &particles) const {
+bool GridModel::may_take(const particles::ParticleSet &particles) const {
   for (const double x : particles.centers) {
     if (!std::isfinite(x)) return false;
   }
@@ -40,7 +33,7 @@ bool GridModel::may_take(const hgtest::Particles &particles) const {
   return true;
 }
 
-bool GridModel::must_take(const hgtest::Particles &particles) const {
+bool GridModel::must_take(const particles::ParticleSet &particles) const {
   if (!may_take(particles) || def_.level_rule == HG_LEVELS_USER || def_.margin > 1e300) return false;
   for (int k = 0; k < def_.dimension; k++) {
     if (def_.periodic[k] != 0) return false;
@@ -48,8 +41,8 @@ bool GridModel::must_take(const hgtest::Particles &particles) const {
   return std::all_of(particles.radii.begin(), particles.radii.end(), [](double r) { return r < 1e300; });
 }
 
-void GridModel::insert(const hgtest::Particles &particles) {
-  for (size_t row = 0; row < particles.size(); row++) {
+void GridModel::insert(const particles::ParticleSet &particles) {
+  for (size_t row = 0; row < particles.count(); row++) {
     particles_.add(particles.center(row), particles.radii[row]);
     ids_.push_back(next_id_++);
   }
@@ -65,7 +58,7 @@ bool GridModel::remove(const std::vector<int32_t> &ids) {
   std::sort(gone.begin(), gone.end());
   if (std::adjacent_find(gone.begin(), gone.end()) != gone.end()) return false;
   if (!std::includes(ids_.begin(), ids_.end(), gone.begin(), gone.end())) return false;
-  hgtest::Particles left;
+  particles::ParticleSet left;
   left.dimension = particles_.dimension;
   std::vector<int32_t> left_ids;
   for (size_t row = 0; row < ids_.size(); row++) {
@@ -90,7 +83,7 @@ size_t GridModel::row_of(int32_t id) const {
 }
 
 // HG_DOUBLE is bound to its expression where squares are normal numbers and no image is in doubt.
-GridModel::Promise GridModel::promise(const hgtest::Particles &particles) const {
+GridModel::Promise GridModel::promise(const particles::ParticleSet &particles) const {
   if (def_.accuracy == HG_EXACT) return Promise::kExact;
   if (def_.accuracy == HG_FLOAT) return Promise::kFloat;
   for (int k = 0; k < def_.dimension; k++) {
@@ -104,8 +97,8 @@ GridModel::Promise GridModel::promise(const hgtest::Particles &particles) const 
 }
 
 void GridModel::check_pairs(Pairs pairs) const {
-  std::sort(pairs.begin(), pairs.end(), hgtest::pair_less);
-  expect(std::adjacent_find(pairs.begin(), pairs.end(), hgtest::pair_equal) == pairs.end(), "a pair comes twice");
+  std::sort(pairs.begin(), pairs.end(), oracle::pair_less);
+  expect(std::adjacent_find(pairs.begin(), pairs.end(), oracle::pair_equal) == pairs.end(), "a pair comes twice");
   for (const hg_pair &pair : pairs) {
     expect(pair.a < pair.b, "a pair is not a < b");
     expect(std::binary_search(ids_.begin(), ids_.end(), pair.a), "a pair has an unknown a");
@@ -115,14 +108,15 @@ void GridModel::check_pairs(Pairs pairs) const {
   if (held == Promise::kSane) return;
   const bool plain = held == Promise::kDouble;
   const Pairs expected =
-      hgtest::all_pairs(def_, particles_, ids_, plain ? hgtest::double_interact : hgtest::exact_interact);
-  expect(lacking(expected, pairs).empty(), "a pair is missing");
-  for (const hg_pair &pair : lacking(pairs, expected)) {
+      oracle::all_pairs(def_, particles_, ids_, plain ? oracle::double_interact : oracle::exact_interact);
+  const oracle::Difference wrong = oracle::difference(expected, pairs);
+  expect(wrong.missing.empty(), "a pair is missing");
+  for (const hg_pair &pair : wrong.extra) {
     expect(held == Promise::kFloat, "a pair is wrong");
     const size_t a = row_of(pair.a), b = row_of(pair.b);
     const Sphere first = {particles_.center(a), particles_.radii[a]},
                  other = {particles_.center(b), particles_.radii[b]};
-    expect(hgtest::relative_gap(def_, first, other) <= kFloatExtra, "an extra pair of HG_FLOAT is too far apart");
+    expect(oracle::relative_gap(def_, first, other) <= kFloatExtra, "an extra pair of HG_FLOAT is too far apart");
   }
 }
 
@@ -130,15 +124,15 @@ void GridModel::check_sphere(const Sphere &sphere, const int32_t *ids, size_t co
   expect(std::is_sorted(ids, ids + count), "ids of a sphere do not ascend");
   expect(std::adjacent_find(ids, ids + count) == ids + count, "an id of a sphere comes twice");
   expect(std::includes(ids_.begin(), ids_.end(), ids, ids + count), "a sphere meets an unknown particle");
-  hgtest::Particles with_sphere = particles_;
+  particles::ParticleSet with_sphere = particles_;
   with_sphere.add(sphere.center, sphere.radius);
   const Promise held = promise(with_sphere);
   if (held == Promise::kSane || held == Promise::kFloat) return;
   for (size_t row = 0; row < ids_.size(); row++) {
     const Sphere particle = {particles_.center(row), particles_.radii[row]};
     const bool found = std::binary_search(ids, ids + count, ids_[row]);
-    const bool wanted = held == Promise::kDouble ? hgtest::double_interact(def_, sphere, particle)
-                                                 : hgtest::exact_interact(def_, sphere, particle);
+    const bool wanted = held == Promise::kDouble ? oracle::double_interact(def_, sphere, particle)
+                                                 : oracle::exact_interact(def_, sphere, particle);
     expect(found == wanted, found ? "a sphere meets a particle too many" : "a sphere misses a particle");
   }
 }

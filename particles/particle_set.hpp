@@ -37,6 +37,12 @@ struct ParticleSet {
   std::optional<Moment> moment;
 
   size_t count() const { return radii.size(); }
+  const double *center(size_t i) const { return &centers[i * static_cast<size_t>(dimension)]; }
+  // `center` holds `dimension` numbers.
+  void add(const double *center, double radius) {
+    for (int axis = 0; axis < dimension; axis++) centers.push_back(center[axis]);
+    radii.push_back(radius);
+  }
 };
 
 // [count][dimension] to [count][3], the third 0 in two dimensions.

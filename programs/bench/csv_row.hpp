@@ -1,24 +1,13 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of the CSV files that measurements are written to, and the quantiles that stand in them.
+// Rows of the CSV files that measurements are written to.
 #pragma once
 
 #include "particles/text/output.hpp"
 
-#include <algorithm>
-#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace bench {
-
-// The value below which a share of the sorted samples lies, between neighbours by their distance.
-inline double quantile(const std::vector<double> &sorted, double share) {
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const size_t below = static_cast<size_t>(place);
-  const size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 // Ends its line when it goes out of scope.
 class CsvRow {

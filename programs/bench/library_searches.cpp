@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace bench {
@@ -62,10 +63,8 @@ Details details_of(particles::Grid &grid, size_t count) {
   const particles::Borrowed<hg_level> levels = grid.levels();
   details.levels = static_cast<double>(levels.count);
   for (const hg_level &level : levels) details.occupancy = std::max(details.occupancy, level.occupancy);
-  for (const hg_level_cost &cost : grid.level_costs()) {
-    const bool this_many = static_cast<size_t>(cost.level_count) == levels.count;
-    if (this_many && cost.reachable != 0) details.predicted_cost = cost.cost;
-  }
+  const std::optional<hg_level_cost> cost = measure::expected_cost(grid, levels.count);
+  if (cost) details.predicted_cost = cost->cost;
   details.candidates = static_cast<double>(grid.stats().candidate_count) / static_cast<double>(count);
   return details;
 }
@@ -113,29 +112,24 @@ Contestant library_steps(const LibrarySetting &setting, double skin, int steps, 
   contestant.prepare = [=](const particles::ParticleSet &set) {
     hg_grid_def def = def_of(setting, set);
     def.skin = skin;
-    auto grid = std::make_shared<particles::Grid>(def);
+    auto grid = std::make_shared<measure::MovingGrid>(def, set);
     auto searches = std::make_shared<double>(0);
     Search search;
     search.run = [=, &set](PairView &pairs) {
       measure::Flight flight(set, longest_step);
-      particles::check(hg_clear(grid->get()));
-      grid->insert(set);
-      grid->pairs();  // every run begins with candidates that have just been stored
-      const auto searched_before = grid->stats().search_count;
+      grid->start_at(set);  // every run begins with candidates that have just been stored
+      const auto searched_before = grid->grid().stats().search_count;
       double seconds = 0;
       for (int k = 0; k < steps; k++) {
         flight.step();
-        seconds += measure::seconds_of([&] {
-          particles::check(hg_move(grid->get(), set.count(), flight.particles().centers.data(), nullptr));
-          const particles::Borrowed<hg_pair> found = grid->pairs();
-          pairs = {found.data, found.count};
-        });
+        seconds += measure::seconds_of([&] { grid->step(flight.particles()); });
       }
-      *searches = static_cast<double>(grid->stats().search_count - searched_before) / steps;
+      pairs = {grid->pairs().data, grid->pairs().count};
+      *searches = static_cast<double>(grid->grid().stats().search_count - searched_before) / steps;
       return seconds / steps;
     };
     search.details = [=, count = set.count()] {
-      Details details = details_of(*grid, count);
+      Details details = details_of(grid->grid(), count);
       details.searches_per_step = *searches;
       return details;
     };

@@ -4,7 +4,7 @@
 #include "programs/bench/peer_searches.hpp"
 
 #include "programs/bench/peers/peer.hpp"
-#include "programs/measure/search_timer.hpp"
+#include "programs/measure/timing.hpp"
 
 #include <memory>
 #include <utility>

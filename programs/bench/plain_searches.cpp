@@ -7,7 +7,7 @@
 #include "programs/bench/hierarchical_grid.hpp"
 #include "programs/bench/library_searches.hpp"
 #include "programs/bench/linked_cell.hpp"
-#include "programs/measure/search_timer.hpp"
+#include "programs/measure/timing.hpp"
 
 #include <algorithm>
 #include <cmath>

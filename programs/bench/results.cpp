@@ -5,6 +5,7 @@
 
 #include "programs/bench/csv_row.hpp"
 #include "programs/bench/machine.hpp"
+#include "programs/measure/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ constexpr const char *kHead =
 
 void write_row(particles::Output &out, const Measurement &measurement, const Result &result) {
   const std::vector<double> ns = ns_per_particle(result, measurement.particles);
-  const auto share = [&ns](double s) { return ns.empty() ? -1 : quantile(ns, s); };
+  const auto share = [&ns](double s) { return ns.empty() ? -1 : measure::quantile(ns, s); };
   const Contestant &who = result.contestant;
   CsvRow row(out);
   row.text(measurement.sweep).text(measurement.system).number(measurement.size_ratio).number(measurement.particles);
@@ -65,7 +66,7 @@ void print(const Measurement &measurement) {
     };
     field(6, 0, result.details.levels);
     field(10, 1, result.details.candidates);
-    for (const double share : {0.5, 0.0, 0.25, 0.75}) field(9, 1, ns.empty() ? -1 : quantile(ns, share));
+    for (const double share : {0.5, 0.0, 0.25, 0.75}) field(9, 1, ns.empty() ? -1 : measure::quantile(ns, share));
     std::printf("%5zu %9.0f  %s\n", ns.size(), result.peak_bytes / static_cast<double>(measurement.particles),
                 verdict(result).c_str());
   }

@@ -8,8 +8,8 @@
 #include "dem/engine/engine.hpp"
 #include "dem/engine/error.hpp"
 #include "dem/engine/time_step.hpp"
+#include "programs/measure/timing.hpp"
 
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -109,13 +109,11 @@ void run(const std::string &names, int edge, uint64_t steps) {
   const dem::Setup setup = make_system(effects_of(names), edge);
   const auto engine = dem::make_engine(setup);
   engine->run(5);  // memory grows to what it needs
-  const auto start = std::chrono::steady_clock::now();
-  engine->run(steps);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  const double seconds = measure::seconds_of([&] { engine->run(steps); });
   const double count = static_cast<double>(setup.count());
   std::printf("%s particles=%zu pairs=%zu bytes=%.1f ns=%.2f state=%016llx\n", names.c_str(), setup.count(),
               engine->pair_count(), static_cast<double>(engine->state_bytes()) / count,
-              1e9 * elapsed.count() / (count * static_cast<double>(steps)),
+              1e9 * seconds / (count * static_cast<double>(steps)),
               static_cast<unsigned long long>(checksum(engine->snapshot())));
 }
 

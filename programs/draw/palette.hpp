@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The colours of levels.
+// The colours of levels, and of series of points.
 #pragma once
+
+#include "particles/text/formatted.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
 #include <iterator>
 #include <string>
 
@@ -21,10 +22,8 @@ constexpr Color kShades[] = {{249, 238, 215}, {246, 207, 152}, {237, 156, 98}, {
                              {160, 62, 106},  {104, 50, 118},  {62, 52, 120}};
 
 inline std::string color_text(const Color &color) {
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(color.red) & 255u,
-                static_cast<unsigned>(color.green) & 255u, static_cast<unsigned>(color.blue) & 255u);
-  return text;
+  return particles::formatted("#%02x%02x%02x", static_cast<unsigned>(color.red) & 255u,
+                              static_cast<unsigned>(color.green) & 255u, static_cast<unsigned>(color.blue) & 255u);
 }
 
 inline Color mix(const Color &from, const Color &to, double share) {
@@ -42,5 +41,11 @@ inline Color level_color(size_t level, size_t level_count) {
   const size_t shade = std::min(static_cast<size_t>(place), kLast - 1);
   return mix(kShades[shade], kShades[shade + 1], place - static_cast<double>(shade));
 }
+
+// What is pointed out, and the first series.
+constexpr const char kAccent[] = "#1c6ea4";
+constexpr const char *kSeriesColors[] = {kAccent, "#d46254", "#3e347a", "#2f8f6b", "#c98a1b", "#7a7a7a"};
+
+inline std::string series_color(size_t series) { return kSeriesColors[series % std::size(kSeriesColors)]; }
 
 }  // namespace draw

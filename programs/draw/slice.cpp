@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry of the cut.
 #include "programs/draw/slice.hpp"
 
 #include <algorithm>

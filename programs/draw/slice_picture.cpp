@@ -3,6 +3,7 @@
 // Layout and style of the slice picture. Lengths without a unit named are pixels.
 #include "programs/draw/slice_picture.hpp"
 
+#include "particles/text/formatted.hpp"
 #include "programs/draw/palette.hpp"
 #include "programs/draw/svg.hpp"
 #include "programs/draw/view.hpp"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 namespace draw {
@@ -29,17 +29,16 @@ constexpr double kMostCellsAcrossCloseUp = 20;
 constexpr double kMostCellsAcross = 16;
 constexpr int kCandidatesPerAxis = 24;
 
-const std::string kAccent = "#1c6ea4";
-const std::string kStrongLines = "stroke=\"#14304a\" stroke-width=\"1.5\" stroke-opacity=\"0.8\"";
-const std::string kThinLines =
+constexpr char kStrongLines[] = "stroke=\"#14304a\" stroke-width=\"1.5\" stroke-opacity=\"0.8\"";
+constexpr char kThinLines[] =
     "stroke=\"#14304a\" stroke-width=\"0.8\" stroke-opacity=\"0.45\" stroke-dasharray=\"4 3\"";
-const std::string kFont = "font-family=\"Helvetica, Arial, sans-serif\" fill=\"#222\" ";
+constexpr double kLetters = 13;
 
-std::string number_text(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", number);
-  return text;
+std::string accent_line(int width) {
+  return "stroke=\"" + std::string(kAccent) + "\" stroke-width=\"" + std::to_string(width) + "\"";
 }
+
+std::string number_text(double number) { return particles::formatted("%.4g", number); }
 
 // Groups of three digits, a narrow no-break space between them.
 std::string count_text(size_t count) {
@@ -56,12 +55,16 @@ Window middle_of(const Window &window, double share) {
 // The whole box, or the part in its middle that has not too many disks.
 Window overview_window(const Slice &slice) {
   Window window = slice.box;
-  for (double share = 1; count_in(slice, window) > kMostDisks; share *= 0.8) window = middle_of(slice.box, share);
+  double share = 1;
+  while (count_in(slice, window) > kMostDisks) {
+    share *= 0.8;
+    window = middle_of(slice.box, share);
+  }
   return window;
 }
 
-// The particle whose search the close-up explains: on a coarser level, cut near its equator, and so that all cells that
-// it visits on the finest level show.
+// The particle by which the close-up explains a search: on a coarser level, cut near its equator, and so that all cells
+// of the finest level show in which partners can lie.
 bool explains_search(const Slice &slice, const Window &window, const Disk &disk) {
   const double reach = disk.sphere_radius + 1.6 * slice.levels.front().cell_size;
   return disk.level > 0 && disk.radius > 0.8 * disk.sphere_radius && disk.u - reach > window.u &&
@@ -70,10 +73,9 @@ bool explains_search(const Slice &slice, const Window &window, const Disk &disk)
 }
 
 std::optional<Disk> search_example(const Slice &slice, const Window &window) {
-  for (const Disk &disk : slice.disks) {
-    if (explains_search(slice, window, disk)) return disk;
-  }
-  return std::nullopt;
+  const auto found = std::find_if(slice.disks.begin(), slice.disks.end(),
+                                  [&](const Disk &disk) { return explains_search(slice, window, disk); });
+  return found == slice.disks.end() ? std::nullopt : std::optional<Disk>(*found);
 }
 
 // How much a close-up of this window tells: above all a search, of a large particle if possible; then many levels and
@@ -155,10 +157,9 @@ void draw_panel(Svg &svg, const Slice &slice, const View &view, const ShownLevel
 
 void draw_search(Svg &svg, const Slice &slice, const View &view, const Disk &disk) {
   svg.open_clip(view.frame);
-  draw_visited_cells(svg, slice, view, disk, slice.levels.front().cell_size,
-                     "fill=\"" + kAccent + "\" fill-opacity=\"0.2\" stroke=\"" + kAccent + "\" stroke-width=\"2\"");
-  svg.circle(view.point(disk.u, disk.v), disk.radius * view.scale(),
-             "fill=\"none\" stroke=\"" + kAccent + "\" stroke-width=\"3\"");
+  draw_partner_cells(svg, slice, view, disk, slice.levels.front().cell_size,
+                     "fill=\"" + std::string(kAccent) + "\" fill-opacity=\"0.2\" " + accent_line(2));
+  svg.circle(view.point(disk.u, disk.v), disk.radius * view.scale(), "fill=\"none\" " + accent_line(3));
   svg.close_clip();
 }
 
@@ -169,27 +170,25 @@ void draw_frames(Svg &svg, const View &overview, const View &close_up) {
   const Frame mark{top_left.x, top_left.y, side, side};
   svg.rectangle(overview.frame, "fill=\"none\" stroke=\"#222\" stroke-width=\"1\"");
   svg.rectangle(mark, "fill=\"none\" stroke=\"#ffffff\" stroke-width=\"6\"");
-  svg.rectangle(mark, "fill=\"none\" stroke=\"" + kAccent + "\" stroke-width=\"3\"");
-  svg.rectangle(close_up.frame, "fill=\"none\" stroke=\"" + kAccent + "\" stroke-width=\"3\"");
+  svg.rectangle(mark, "fill=\"none\" " + accent_line(3));
+  svg.rectangle(close_up.frame, "fill=\"none\" " + accent_line(3));
 }
 
 void draw_legend(Svg &svg, const Slice &slice, Point corner) {
   const std::array<double, 3> columns = {corner.x + 34, corner.x + 190, corner.x + 330};
-  const std::string head = kFont + "font-size=\"13\" font-weight=\"bold\" ";
-  const std::string body = kFont + "font-size=\"13\" ";
-  const std::string right = "text-anchor=\"end\"";
-  svg.text({columns[0], corner.y}, "level", head);
-  svg.text({columns[1], corner.y}, "cell size", head + right);
-  svg.text({columns[2], corner.y}, "particles", head + right);
+  const std::string bold = "font-weight=\"bold\"", right = "text-anchor=\"end\"", bold_right = bold + " " + right;
+  svg.text({columns[0], corner.y}, "level", kLetters, bold);
+  svg.text({columns[1], corner.y}, "cell size", kLetters, bold_right);
+  svg.text({columns[2], corner.y}, "particles", kLetters, bold_right);
   double y = corner.y;
   for (size_t level = 0; level < slice.levels.size(); level++) {
     y += kLegendRow;
     const Color fill = level_color(level, slice.levels.size());
     svg.circle({corner.x + 12, y - 4.5}, 8,
                "fill=\"" + color_text(fill) + "\" stroke=\"" + color_text(darker(fill)) + "\" stroke-width=\"1\"");
-    svg.text({columns[0], y}, std::to_string(level + 1), body);
-    svg.text({columns[1], y}, number_text(slice.levels[level].cell_size), body + right);
-    svg.text({columns[2], y}, count_text(slice.levels[level].particle_count), body + right);
+    svg.text({columns[0], y}, std::to_string(level + 1), kLetters);
+    svg.text({columns[1], y}, number_text(slice.levels[level].cell_size), kLetters, right);
+    svg.text({columns[2], y}, count_text(slice.levels[level].particle_count), kLetters, right);
   }
 }
 
@@ -204,15 +203,15 @@ void draw_notes(Svg &svg, const Slice &slice, const Window &overview, bool has_e
   const ShownLevels in_overview = overview_levels(slice);
   const std::string in_close_up = "in the close-up: cells of " + levels_text(close_up_levels(slice));
   std::vector<std::string> notes;
-  notes.push_back(in_overview.empty() ? "lines " + in_close_up
-                                      : "lines: cells of " + levels_text(in_overview) + "; " + in_close_up);
-  if (has_example) notes.push_back("shaded: the cells of level 1 that the ringed particle's search visits");
+  notes.emplace_back(in_overview.empty() ? "lines " + in_close_up
+                                         : "lines: cells of " + levels_text(in_overview) + "; " + in_close_up);
+  if (has_example) notes.emplace_back("shaded: the cells of level 1 in which partners of the ringed particle can lie");
   if (overview.width < slice.box.width) {
     notes.push_back("only the middle of the box is drawn, " + number_text(100 * overview.width / slice.box.width) +
                     " % of its width");
   }
   for (const std::string &note : notes) {
-    svg.text(corner, note, kFont + "font-size=\"13\"");
+    svg.text(corner, note, kLetters);
     corner.y += kLegendRow;
   }
 }
@@ -230,7 +229,6 @@ std::string slice_picture(const Slice &slice) {
   const double height = std::max(kMargin + overview.frame.height, notes.y + 2 * kLegendRow) + kMargin;
 
   Svg svg(width, height);
-  svg.rectangle({0, 0, width, height}, "fill=\"#ffffff\"");
   draw_panel(svg, slice, overview, overview_levels(slice));
   draw_panel(svg, slice, close_up, close_up_levels(slice));
   if (example) draw_search(svg, slice, close_up, *example);

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// SVG elements as text.
 #include "programs/draw/svg.hpp"
 
 #include <cstdio>
@@ -26,13 +25,15 @@ std::string escaped(const std::string &content) {
 
 }  // namespace
 
-Svg::Svg(double width, double height) : width_(width), height_(height) {}
+Svg::Svg(double width, double height) : width_(width), height_(height) {
+  rectangle({0, 0, width, height}, "fill=\"#ffffff\"");
+}
 
 Svg &Svg::operator<<(double number) {
   char text[40];
   int length = std::snprintf(text, sizeof text, "%.2f", number);
-  while (text[length - 1] == '0') --length;
-  if (text[length - 1] == '.') --length;
+  while (text[length - 1] == '0') length--;
+  if (text[length - 1] == '.') length--;
   body_.append(text, static_cast<size_t>(length));
   return *this;
 }
@@ -59,9 +60,10 @@ void Svg::line(Point from, Point to, const std::string &style) {
   *this << "/>\n";
 }
 
-void Svg::text(Point baseline, const std::string &content, const std::string &style) {
-  *this << "<text x=\"" << baseline.x << "\" y=\"" << baseline.y << "\" " << style << ">" << escaped(content)
-        << "</text>\n";
+void Svg::text(Point baseline, const std::string &content, double size, const std::string &style) {
+  *this << "<text x=\"" << baseline.x << "\" y=\"" << baseline.y
+        << "\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"#222\" font-size=\"" << size << "\" " << style << ">"
+        << escaped(content) << "</text>\n";
 }
 
 void Svg::open_group(const std::string &style) { *this << "<g " << style << ">\n"; }

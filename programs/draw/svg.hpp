@@ -18,14 +18,15 @@ struct Point {
 
 class Svg {
  public:
+  // On white.
   Svg(double width, double height);
 
   // `style` is a list of presentation attributes, e.g. `fill="none" stroke="#000"`.
   void rectangle(const Frame &frame, const std::string &style);
   void circle(Point center, double radius, const std::string &style);
   void line(Point from, Point to, const std::string &style);
-  // `content` may hold any characters.
-  void text(Point baseline, const std::string &content, const std::string &style);
+  // `content` may hold any characters; `size` is that of the letters, in the one font of all pictures.
+  void text(Point baseline, const std::string &content, double size, const std::string &style = "");
 
   // Everything until the matching close has the style.
   void open_group(const std::string &style);

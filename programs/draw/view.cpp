@@ -1,14 +1,28 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Drawing the parts of a slice into a frame.
 #include "programs/draw/view.hpp"
 
 #include "programs/draw/palette.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace draw {
+namespace {
+
+// Where cells that begin at `corner` meet, from `low` on and below `high`.
+std::vector<double> cell_edges(double corner, double cell_size, double low, double high) {
+  std::vector<double> edges;
+  const auto edge = [=](int64_t k) { return corner + static_cast<double>(k) * cell_size; };
+  for (auto k = static_cast<int64_t>(std::ceil((low - corner) / cell_size)); edge(k) < high; k++) {
+    edges.push_back(edge(k));
+  }
+  return edges;
+}
+
+}  // namespace
 
 View View::fit(const Window &window, Point corner, double side) {
   const double scale = side / std::max(window.width, window.height);
@@ -32,18 +46,16 @@ void draw_disks(Svg &svg, const Slice &slice, const View &view) {
 void draw_cells(Svg &svg, const Slice &slice, const View &view, double cell_size, const std::string &style) {
   const Window &w = view.window;
   svg.open_group(style);
-  for (double k = std::ceil((w.u - slice.box.u) / cell_size); slice.box.u + k * cell_size < w.u + w.width; k++) {
-    const double u = slice.box.u + k * cell_size;
+  for (const double u : cell_edges(slice.box.u, cell_size, w.u, w.u + w.width)) {
     svg.line(view.point(u, w.v), view.point(u, w.v + w.height), "");
   }
-  for (double k = std::ceil((w.v - slice.box.v) / cell_size); slice.box.v + k * cell_size < w.v + w.height; k++) {
-    const double v = slice.box.v + k * cell_size;
+  for (const double v : cell_edges(slice.box.v, cell_size, w.v, w.v + w.height)) {
     svg.line(view.point(w.u, v), view.point(w.u + w.width, v), "");
   }
   svg.close_group();
 }
 
-void draw_visited_cells(Svg &svg, const Slice &slice, const View &view, const Disk &disk, double cell_size,
+void draw_partner_cells(Svg &svg, const Slice &slice, const View &view, const Disk &disk, double cell_size,
                         const std::string &style) {
   const double a = disk.sphere_radius + 0.5 * cell_size;
   const auto edge = [cell_size](double corner, double x) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A part of a slice as it appears in a frame of the picture: disks, cells, and the cells that a search visits.
+// A part of a slice as it appears in a frame of the picture: disks, cells, and the cells where partners lie.
 #pragma once
 
 #include "programs/draw/slice.hpp"
@@ -30,8 +30,8 @@ void draw_disks(Svg &svg, const Slice &slice, const View &view);
 // The lines between the cells of a level, counted from the corner of the box.
 void draw_cells(Svg &svg, const Slice &slice, const View &view, double cell_size, const std::string &style);
 
-// The cells of a finer level that the search of one particle visits (Eq. 4 of the paper) as one shaded rectangle.
-void draw_visited_cells(Svg &svg, const Slice &slice, const View &view, const Disk &disk, double cell_size,
+// The cells of a finer level in which partners of a particle can lie (Eq. 4 of the paper) as one shaded rectangle.
+void draw_partner_cells(Svg &svg, const Slice &slice, const View &view, const Disk &disk, double cell_size,
                         const std::string &style);
 
 }  // namespace draw

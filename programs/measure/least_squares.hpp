@@ -4,7 +4,9 @@
 // constants of their own.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -18,39 +20,6 @@ struct Observation {
   double value;
   double weight;
 };
-
-namespace detail {
-
-// Gauss elimination with pivoting of a symmetric system; a column without a pivot gets the coefficient 0.
-template <size_t Terms>
-std::array<double, Terms> solve(std::array<std::array<double, Terms + 1>, Terms> a) {
-  std::array<bool, Terms> used{};
-  std::array<size_t, Terms> row_of{};
-  std::array<bool, Terms> solved{};
-  for (size_t k = 0; k < Terms; k++) {
-    size_t pivot = Terms;
-    for (size_t r = 0; r < Terms; r++) {
-      if (!used[r] && a[r][k] * a[r][k] > 0 && (pivot == Terms || a[r][k] * a[r][k] > a[pivot][k] * a[pivot][k])) {
-        pivot = r;
-      }
-    }
-    if (pivot == Terms) continue;
-    used[pivot] = solved[k] = true;
-    row_of[k] = pivot;
-    for (size_t r = 0; r < Terms; r++) {
-      if (r == pivot) continue;
-      const double factor = a[r][k] / a[pivot][k];
-      for (size_t c = k; c <= Terms; c++) a[r][c] -= factor * a[pivot][c];
-    }
-  }
-  std::array<double, Terms> result{};
-  for (size_t k = 0; k < Terms; k++) {
-    if (solved[k]) result[k] = a[row_of[k]][Terms] / a[row_of[k]][k];
-  }
-  return result;
-}
-
-}  // namespace detail
 
 // Terms and value less their weighted means in each group: what is left does not know the groups' constants.
 template <size_t Terms>
@@ -78,42 +47,32 @@ double sum_of(const std::array<double, Terms> &coefficient, const std::array<dou
   return sum;
 }
 
-// The coefficients >= 0 with the least weighted sum of squared errors, by trying every set of terms that may be above
-// 0: exact, and quick for as few terms as 6.
+// The coefficients >= 0 with the least weighted sum of squared errors. One after the other becomes the best that it can
+// be beside the others, over and over: the sum is convex, so that this leads to its least. A term that is constant in
+// all groups gets the coefficient 0.
 template <size_t Terms>
 std::array<double, Terms> fit_non_negative(const std::vector<Observation<Terms>> &grouped) {
-  const std::vector<Observation<Terms>> observations = centered(grouped);
-  std::array<std::array<double, Terms + 1>, Terms> normal{};
-  double least = 0;  // of all coefficients 0
-  for (const Observation<Terms> &o : observations) {
+  constexpr int kMostRounds = 1000000;  // terms that are nearly alike take thousands
+  std::array<std::array<double, Terms>, Terms> product{};
+  std::array<double, Terms> with_value{}, coefficient{};
+  for (const Observation<Terms> &o : centered(grouped)) {
     for (size_t r = 0; r < Terms; r++) {
-      for (size_t c = 0; c < Terms; c++) normal[r][c] += o.weight * o.term[r] * o.term[c];
-      normal[r][Terms] += o.weight * o.term[r] * o.value;
+      for (size_t c = 0; c < Terms; c++) product[r][c] += o.weight * o.term[r] * o.term[c];
+      with_value[r] += o.weight * o.term[r] * o.value;
     }
-    least += o.weight * o.value * o.value;
   }
-  std::array<double, Terms> best{};
-  for (size_t set = 1; set < size_t{1} << Terms; set++) {
-    auto system = normal;
-    for (size_t r = 0; r < Terms; r++) {
-      for (size_t c = 0; c <= Terms; c++) {
-        const bool in = (set >> r & 1) != 0 && (c == Terms || (set >> c & 1) != 0);
-        if (!in) system[r][c] = 0;
-      }
+  bool changes = true;
+  for (int round = 0; changes && round < kMostRounds; round++) {
+    changes = false;
+    for (size_t k = 0; k < Terms; k++) {
+      if (!(product[k][k] > 0)) continue;
+      const double misses = with_value[k] - sum_of(product[k], coefficient);
+      const double next = std::max(0.0, coefficient[k] + misses / product[k][k]);
+      changes = changes || std::fabs(next - coefficient[k]) > 1e-15 * next;
+      coefficient[k] = next;
     }
-    const std::array<double, Terms> found = detail::solve<Terms>(system);
-    double squares = 0;
-    bool valid = true;
-    for (const double x : found) valid = valid && x >= 0;
-    for (const Observation<Terms> &o : observations) {
-      const double error = sum_of(found, o.term) - o.value;
-      squares += o.weight * error * error;
-    }
-    if (!valid || !(squares < least)) continue;
-    least = squares;
-    best = found;
   }
-  return best;
+  return coefficient;
 }
 
 }  // namespace measure

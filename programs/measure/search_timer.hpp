@@ -4,39 +4,24 @@
 #pragma once
 
 #include "particles/grid_handle.hpp"
+#include "programs/measure/statistics.hpp"
+#include "programs/measure/timing.hpp"
 
 #include <hgrid/hgrid.h>
 
-#include <algorithm>
-#include <chrono>
-#include <utility>
+#include <optional>
 #include <vector>
 
 namespace measure {
-
-// Half-way between the two middle ones of an even number; `samples` must not be empty.
-inline double median(std::vector<double> samples) {
-  std::sort(samples.begin(), samples.end());
-  const size_t middle = samples.size() / 2;
-  return samples.size() % 2 == 1 ? samples[middle] : 0.5 * (samples[middle - 1] + samples[middle]);
-}
-
-// Seconds that a call takes.
-template <class Work>
-double seconds_of(Work &&work) {
-  const auto start = std::chrono::steady_clock::now();
-  std::forward<Work>(work)();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 // The defaults for these particles: their dimension and box.
 inline hg_grid_def def_of(const particles::ParticleSet &particles) {
   hg_grid_def def = hg_default_grid_def();
   def.dimension = particles.dimension;
-  for (int k = 0; k < particles.dimension && particles.has_box; k++) {
-    def.box_min[k] = particles.box_min[k];
-    def.box_max[k] = particles.box_max[k];
-    def.periodic[k] = particles.periodic[k];
+  for (int axis = 0; axis < particles.dimension && particles.has_box; axis++) {
+    def.box_min[axis] = particles.box_min[axis];
+    def.box_max[axis] = particles.box_max[axis];
+    def.periodic[axis] = particles.periodic[axis];
   }
   return def;
 }
@@ -44,6 +29,7 @@ inline hg_grid_def def_of(const particles::ParticleSet &particles) {
 // One grid, filled and searched anew in each run; it keeps its memory between runs as a simulation's would.
 class SearchTimer {
  public:
+  // `particles` must outlive the timer.
   SearchTimer(const hg_grid_def &def, const particles::ParticleSet &particles) : grid_(def), particles_(&particles) {}
 
   // The grid is cleared, so neither levels nor pairs of the last run can be reused.
@@ -57,15 +43,11 @@ class SearchTimer {
 
   // Of all runs so far.
   const std::vector<double> &seconds() const { return seconds_; }
-  double median_seconds() const { return median(seconds_); }
-  double total_seconds() const {
-    double total = 0;
-    for (const double s : seconds_) total += s;
-    return total;
-  }
+  double ns_per_particle() const { return 1e9 * median(seconds_) / static_cast<double>(particles_->count()); }
   // Of the last run.
   const particles::Borrowed<hg_pair> &pairs() const { return pairs_; }
   particles::Grid &grid() { return grid_; }
+  size_t level_count() { return grid_.levels().count; }
 
  private:
   particles::Grid grid_;
@@ -73,5 +55,25 @@ class SearchTimer {
   particles::Borrowed<hg_pair> pairs_;
   std::vector<double> seconds_;
 };
+
+// What the library expects of a search on so many levels, if it can make as many. The grid must be filled.
+inline std::optional<hg_level_cost> expected_cost(particles::Grid &grid, size_t level_count) {
+  for (const hg_level_cost &cost : grid.level_costs()) {
+    if (cost.reachable != 0 && static_cast<size_t>(cost.level_count) == level_count) return cost;
+  }
+  return std::nullopt;
+}
+
+// One timer for each number of levels, up to `most`, that the sizes can be split into; its grid is filled.
+inline std::vector<SearchTimer> timers_by_level_count(hg_grid_def def, const particles::ParticleSet &particles,
+                                                      int most) {
+  std::vector<SearchTimer> timers;
+  for (def.level_count = 1; def.level_count <= most; def.level_count++) {
+    SearchTimer timer(def, particles);
+    timer.grid().insert(particles);
+    if (timer.level_count() == static_cast<size_t>(def.level_count)) timers.push_back(std::move(timer));
+  }
+  return timers;
+}
 
 }  // namespace measure

@@ -6,7 +6,8 @@
 #include "packing/random.hpp"
 #include "particles/grid_handle.hpp"
 #include "particles/particle_set.hpp"
-#include "programs/measure/search_timer.hpp"
+#include "programs/measure/statistics.hpp"
+#include "programs/measure/timing.hpp"
 
 #include <hgrid/hgrid.h>
 
@@ -26,12 +27,12 @@ class Flight {
     const auto dimension = static_cast<size_t>(start.dimension);
     while (velocity_.size() < start.centers.size()) {
       double direction[3] = {0, 0, 0}, square = 0;
-      for (size_t k = 0; k < dimension; k++) {
-        direction[k] = 2 * random.uniform() - 1;
-        square += direction[k] * direction[k];
+      for (size_t axis = 0; axis < dimension; axis++) {
+        direction[axis] = 2 * random.uniform() - 1;
+        square += direction[axis] * direction[axis];
       }
       if (square > 1) continue;
-      for (size_t k = 0; k < dimension; k++) velocity_.push_back(displacement * direction[k]);
+      for (size_t axis = 0; axis < dimension; axis++) velocity_.push_back(displacement * direction[axis]);
     }
   }
 
@@ -45,33 +46,63 @@ class Flight {
   std::vector<double> velocity_;
 };
 
-// One grid that follows a flight, and what each step took.
-class StepTimer {
+// Seconds of steps that searched anew, and of those that filtered stored candidates. Steps of a kind are alike, so
+// their median stands for each of them: a slow moment of the machine does not count.
+class StepTimes {
  public:
-  StepTimer(const hg_grid_def &def, const particles::ParticleSet &start) : grid_(def) {
+  void add(bool searched, double seconds) { (searched ? searched_ : filtered_).push_back(seconds); }
+
+  // Of a step of that kind; 0 where there was none.
+  double searched() const { return searched_.empty() ? 0 : median(searched_); }
+  double filtered() const { return filtered_.empty() ? 0 : median(filtered_); }
+  double search_share() const {
+    return static_cast<double>(searched_.size()) / static_cast<double>(searched_.size() + filtered_.size());
+  }
+  double mean() const { return search_share() * searched() + (1 - search_share()) * filtered(); }
+
+ private:
+  std::vector<double> searched_, filtered_;
+};
+
+// One grid that follows moving particles.
+class MovingGrid {
+ public:
+  MovingGrid(const hg_grid_def &def, const particles::ParticleSet &start) : grid_(def) { start_at(start); }
+
+  // Anew, in the memory that is there; ends with candidates that have just been stored.
+  void start_at(const particles::ParticleSet &start) {
+    particles::check(hg_clear(grid_.get()));
     grid_.insert(start);
-    pairs_ = grid_.pairs().count;
+    pairs_ = grid_.pairs();
+    count_searches();
   }
-
   void step(const particles::ParticleSet &particles) {
-    const int64_t searches = grid_.stats().search_count;
-    const double seconds = seconds_of([&] {
-      particles::check(hg_move(grid_.get(), particles.count(), particles.centers.data(), nullptr));
-      pairs_ = grid_.pairs().count;
-    });
-    (grid_.stats().search_count > searches ? searched_ : filtered_).push_back(seconds);
+    particles::check(hg_move(grid_.get(), particles.count(), particles.centers.data(), nullptr));
+    pairs_ = grid_.pairs();
+  }
+  // Whether a new search was made since this was asked last.
+  bool has_searched() {
+    const int64_t before = searches_;
+    count_searches();
+    return searches_ > before;
   }
 
-  // Seconds of the steps that searched anew, and of those that filtered stored candidates.
-  const std::vector<double> &searched() const { return searched_; }
-  const std::vector<double> &filtered() const { return filtered_; }
-  size_t pairs() const { return pairs_; }  // of the last step
+  const particles::Borrowed<hg_pair> &pairs() const { return pairs_; }
   particles::Grid &grid() { return grid_; }
 
  private:
+  void count_searches() { searches_ = grid_.stats().search_count; }
+
   particles::Grid grid_;
-  size_t pairs_ = 0;
-  std::vector<double> searched_, filtered_;
+  particles::Borrowed<hg_pair> pairs_;
+  int64_t searches_ = 0;
 };
+
+// Times a step of whatever follows the particles.
+template <class Follower>
+void time_step(Follower &follower, const particles::ParticleSet &now, StepTimes &times) {
+  const double seconds = seconds_of([&] { follower.step(now); });
+  times.add(follower.has_searched(), seconds);
+}
 
 }  // namespace measure

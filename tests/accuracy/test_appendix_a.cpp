@@ -5,7 +5,7 @@
 #include "packing/packing.hpp"
 #include "packing/size_law.hpp"
 #include "particles/grid_handle.hpp"
-#include "programs/accuracy/appendix_a.hpp"
+#include "programs/accuracy/search/appendix_a.hpp"
 #include "programs/measure/search_timer.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 
@@ -41,14 +41,13 @@ bool least_m_is(const SizeLaw &law, const std::vector<double> &expected) {
   return true;
 }
 
-void bisection_gives_the_reference_values(void **) {
-  const bool volume = least_m_is({Law::kUniformVolume, 50, 3}, {1487.405412, 13.286065, 2.745570, 1.205023, 0.713949,
-                                                                0.488022, 0.367057, 0.291491, 0.239180, 0.203122});
-  const bool size = least_m_is({Law::kUniformSize, 50, 3}, {4.641668, 1.290519, 0.687704, 0.457637, 0.339660});
-  assert_true(volume && size);
+bool bisection_gives_the_reference_values() {
+  return least_m_is({Law::kUniformVolume, 50, 3}, {1487.405412, 13.286065, 2.745570, 1.205023, 0.713949, 0.488022,
+                                                   0.367057, 0.291491, 0.239180, 0.203122}) &&
+         least_m_is({Law::kUniformSize, 50, 3}, {4.641668, 1.290519, 0.687704, 0.457637, 0.339660});
 }
 
-bool optima_are_known() {
+bool the_cheapest_levels_are_the_references() {
   const accuracy::Choice volume = accuracy::cheapest_by_bisection(sizes_of({Law::kUniformVolume, 50, 3}), 0.3);
   const accuracy::Choice size = accuracy::cheapest_by_bisection(sizes_of({Law::kUniformSize, 50, 3}), 0.3);
   const accuracy::Choice two = accuracy::cheapest_by_bisection(sizes_of({Law::kTwoSizes, 10, 3}), 0.3);
@@ -59,13 +58,8 @@ bool optima_are_known() {
          near(one.cost, 6 * kDensity / 3.14159265358979 + 0.3, 1e-9);
 }
 
-void the_cheapest_levels_are_the_references(void **) {
-  const bool ok = optima_are_known();
-  assert_true(ok);
-}
-
 // The levels of uniform volume, ratio 50: counts and the largest radius on each.
-bool assignment_is_known() {
+bool levels_are_those_of_the_reference() {
   const accuracy::Sizes sizes = sizes_of({Law::kUniformVolume, 50, 3});
   const accuracy::LevelEnds ends = accuracy::levels_for(sizes, accuracy::least_m(sizes, 7), 7);
   const std::vector<size_t> counts = {113043, 9676, 1623, 421, 146, 62, 30};
@@ -78,11 +72,6 @@ bool assignment_is_known() {
     begin = ends[level];
   }
   return begin == sizes.radii.size();
-}
-
-void levels_are_those_of_the_reference(void **) {
-  const bool ok = assignment_is_known();
-  assert_true(ok);
 }
 
 // On the grid the least m is that of bisection rounded up, so the levels can be told in advance.
@@ -104,14 +93,13 @@ bool grid_rounds_up(const SizeLaw &law, size_t levels_expected) {
   return true;
 }
 
-void the_grid_is_bisection_rounded_up(void **) {
-  const bool many = grid_rounds_up({Law::kUniformVolume, 50, 3}, 7);
-  const bool one = grid_rounds_up({Law::kUniformSize, 1.1, 3}, 1);  // the last on the grid
-  assert_true(many && one);
+bool the_grid_is_bisection_rounded_up() {
+  return grid_rounds_up({Law::kUniformVolume, 50, 3}, 7) &&
+         grid_rounds_up({Law::kUniformSize, 1.1, 3}, 1);  // the last on the grid
 }
 
 // Levels chosen for all cost what they should; those for every second radius, the largest among them, a little more.
-bool samples_count_for_more() {
+bool a_sample_costs_a_little_more() {
   const accuracy::Sizes sizes = sizes_of({Law::kUniformVolume, 20, 3}, 4000);
   const accuracy::Choice exact = accuracy::cheapest_by_bisection(sizes, 0.3);
   const double again = accuracy::cost_of_edges(sizes, accuracy::edges_of(sizes, exact.ends), 0.3);
@@ -125,13 +113,8 @@ bool samples_count_for_more() {
   return again == exact.cost && excess > 0 && excess < 0.1;
 }
 
-void a_sample_costs_a_little_more(void **) {
-  const bool ok = samples_count_for_more();
-  assert_true(ok);
-}
-
 // The library's own bisection, through its public interface.
-bool library_agrees() {
+bool the_library_finds_the_same() {
   packing::Request request;
   request.law = {Law::kUniformVolume, 20, 3};
   request.count = 5000;
@@ -151,17 +134,14 @@ bool library_agrees() {
   return grid.level_costs().count > 3;
 }
 
-void the_library_finds_the_same(void **) {
-  const bool ok = library_agrees();
-  assert_true(ok);
-}
-
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {
-      cmocka_unit_test(bisection_gives_the_reference_values), cmocka_unit_test(the_cheapest_levels_are_the_references),
-      cmocka_unit_test(levels_are_those_of_the_reference),    cmocka_unit_test(the_grid_is_bisection_rounded_up),
-      cmocka_unit_test(a_sample_costs_a_little_more),         cmocka_unit_test(the_library_finds_the_same)};
+  const CMUnitTest tests[] = {cmocka_unit_test(passes<bisection_gives_the_reference_values>),
+                              cmocka_unit_test(passes<the_cheapest_levels_are_the_references>),
+                              cmocka_unit_test(passes<levels_are_those_of_the_reference>),
+                              cmocka_unit_test(passes<the_grid_is_bisection_rounded_up>),
+                              cmocka_unit_test(passes<a_sample_costs_a_little_more>),
+                              cmocka_unit_test(passes<the_library_finds_the_same>)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -41,7 +41,7 @@ void require_ball(int R, double tiny, size_t expected) {
   const double shifts[][3] = {{0, 0, 0}, {-1000.5, 0.25, 1048576}};
   for (const double(&shift)[3] : shifts) {
     const Particles particles = lattice_with_ball(R, tiny, shift);
-    const int32_t ball = static_cast<int32_t>(particles.size()) - 1;
+    const int32_t ball = static_cast<int32_t>(particles.count()) - 1;
     for (int32_t accuracy = HG_EXACT; accuracy <= HG_DOUBLE; accuracy++) {
       hg_grid_def def = hg_default_grid_def();
       def.accuracy = accuracy;

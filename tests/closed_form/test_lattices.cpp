@@ -146,12 +146,12 @@ void two_species(void **) {
   assert_true(holds(0, [](uint64_t) {
     constexpr int n = 6;
     Particles cscl = block(n, kBcc, 0.45);
-    for (size_t i = 1; i < cscl.size(); i += 2) cscl.radii[i] = 0.43;
+    for (size_t i = 1; i < cscl.count(); i += 2) cscl.radii[i] = 0.43;
     require_count("CsCl", periodic_box(n), cscl, n * n * n * 8);
     constexpr double kNacl[][3] = {{0, 0, 0},     {0.5, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0},
                                    {0.5, 0, 0.5}, {0, 0, 0.5}, {0, 0.5, 0.5}, {0.5, 0.5, 0.5}};
     Particles nacl = block(n, kNacl, 0.3);
-    for (size_t i = 1; i < nacl.size(); i += 2) nacl.radii[i] = 0.22;
+    for (size_t i = 1; i < nacl.count(); i += 2) nacl.radii[i] = 0.22;
     require_count("NaCl", periodic_box(n), nacl, n * n * n * 8 * 6 / 2);
   }));
 }

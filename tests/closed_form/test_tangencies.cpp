@@ -81,7 +81,7 @@ void apollonian_gasket(void **) {
       }
     }
     // Its first curvatures: 2, 2, 3, 3 and four times 6.
-    require(make_gasket(6).circles.size() == 8, "wrong number of circles of curvature <= 6");
+    require(make_gasket(6).circles.count() == 8, "wrong number of circles of curvature <= 6");
   }));
 }
 

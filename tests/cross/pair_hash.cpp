@@ -72,10 +72,10 @@ void print_scene(uint64_t seed) {
   size_t count = 0, moved_count = 0;
   const uint64_t hash = query(grid, count);
   for (double &x : particles.centers) x += rng.uniform(-0.0003, 0.0003);
-  require_ok(hg_move(grid.get(), particles.size(), particles.centers.data(), nullptr), "hg_move");
+  require_ok(hg_move(grid.get(), particles.count(), particles.centers.data(), nullptr), "hg_move");
   const uint64_t moved_hash = query(grid, moved_count);
   std::printf("seed %2" PRIu64 ": %dD, %5zu particles, %6zu pairs, hash %016" PRIx64 "; moved: %6zu, %016" PRIx64 "\n",
-              seed, dimension, particles.size(), count, hash, moved_count, moved_hash);
+              seed, dimension, particles.count(), count, hash, moved_count, moved_hash);
 }
 
 }  // namespace

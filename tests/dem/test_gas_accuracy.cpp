@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Gases: energy against time steps as kinetic theory has it, the state in float, the skin.
 #include "dem/engine/time_step.hpp"
-#include "programs/accuracy/simulation/float_state.hpp"
 #include "programs/accuracy/simulation/gas_energy.hpp"
-#include "programs/accuracy/simulation/skin_knob.hpp"
-#include "programs/accuracy/simulation/step_errors.hpp"
+#include "programs/accuracy/simulation/state_errors.hpp"
+#include "programs/accuracy/simulation/studies.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 
 #include <cmath>
@@ -113,9 +112,10 @@ void no_skin_changes_a_bit(void **) {
   accuracy::Budget budget;
   budget.timed_count = 1000;
   budget.repeats = 1;
-  const auto points = accuracy::measure_run_skins(budget, [](const std::string &) {});
-  assert_true(points.size() >= 10);
-  for (const accuracy::TradePoint &point : points) assert_true(point.error == 0);
+  accuracy::Recorder record("skin", budget, [](const std::string &) {});
+  accuracy::measure_skin_lengths(record);
+  assert_true(record.points().size() >= 10);
+  for (const accuracy::Point &point : record.points()) assert_true(point.error == 0);
 }
 
 }  // namespace

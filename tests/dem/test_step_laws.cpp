@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Errors of single collisions against the steps per contact: measured ones follow the derived laws.
-#include "programs/accuracy/law_report.hpp"
+#include "programs/accuracy/report/convergence_table.hpp"
 #include "programs/accuracy/simulation/collision_laws.hpp"
-#include "programs/accuracy/simulation/kink.hpp"
+#include "programs/accuracy/simulation/contact_onset.hpp"
+#include "programs/accuracy/simulation/error_curves.hpp"
 #include "programs/accuracy/simulation/single_collision.hpp"
-#include "programs/accuracy/simulation/step_errors.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 
 #include <cmath>
@@ -25,8 +25,8 @@ bool is_near(double value, double expected, double tolerance) {
 // integrals.
 void laws_have_known_factors(void **) {
   const dem::Scheme verlet = dem::velocity_verlet();
-  assert_true(is_near(accuracy::kink_energy(verlet).mean, 1.0 / 6, 1e-6));
-  assert_true(is_near(accuracy::kink_energy(verlet).variance, 1.0 / 180, 1e-6));
+  assert_true(is_near(accuracy::onset_energy(verlet).mean, 1.0 / 6, 1e-6));
+  assert_true(is_near(accuracy::onset_energy(verlet).variance, 1.0 / 180, 1e-6));
   assert_true(is_near(accuracy::elastic_restitution_law(verlet).factor, 1.17, 0.005));
   assert_true(is_near(accuracy::elastic_duration_law(verlet).factor, 0.411, 0.0005));
   assert_true(is_near(accuracy::damped_restitution_law(0.527).factor, 0.33, 0.005));
@@ -85,19 +85,19 @@ void float_collisions_stop_getting_better(void **) {
   assert_true(in_float < 5e-4);
 }
 
-std::string report_of_order(double order) {
-  std::vector<accuracy::TradePoint> points;
+std::string table_of_order(double order) {
+  std::vector<accuracy::Point> points;
   for (const double n : {20.0, 50.0, 100.0}) {
-    accuracy::TradePoint point{"step", "velocity-verlet", "n", "duration", std::pow(n, -order), n, false, "", n};
+    accuracy::Point point{"step", "velocity-verlet", "n", "duration", std::pow(n, -order), n, false, "", n};
     points.push_back(point);
   }
-  return accuracy::law_report(points, accuracy::Style::kText);
+  return accuracy::convergence_table(points, accuracy::Style::kText);
 }
 
-void the_report_tells_wrong_orders_from_right_ones(void **) {
-  assert_true(report_of_order(2.1).find("agrees") != std::string::npos);
-  assert_true(report_of_order(2.2).find("differs") != std::string::npos);
-  assert_true(report_of_order(1.8).find("differs") != std::string::npos);
+void the_table_tells_wrong_orders_from_right_ones(void **) {
+  assert_true(table_of_order(2.1).find("agrees") != std::string::npos);
+  assert_true(table_of_order(2.2).find("differs") != std::string::npos);
+  assert_true(table_of_order(1.8).find("differs") != std::string::npos);
 }
 
 }  // namespace
@@ -108,6 +108,6 @@ int main() {
                               cmocka_unit_test(durations_are_exact_inside_the_contact),
                               cmocka_unit_test(a_late_dashpot_takes_too_much),
                               cmocka_unit_test(float_collisions_stop_getting_better),
-                              cmocka_unit_test(the_report_tells_wrong_orders_from_right_ones)};
+                              cmocka_unit_test(the_table_tells_wrong_orders_from_right_ones)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

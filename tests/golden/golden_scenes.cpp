@@ -9,7 +9,7 @@
 namespace golden {
 namespace {
 
-using hgtest::Particles;
+using Particles = particles::ParticleSet;
 using hgtest::Rng;
 
 enum class Law { kMono, kTwo, kUniformVolume };

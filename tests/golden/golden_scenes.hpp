@@ -4,7 +4,9 @@
 // rounds in one way, and without functions of libm, which are not bound to.
 #pragma once
 
-#include "tests/support/oracle.hpp"
+#include "particles/particle_set.hpp"
+
+#include <hgrid/hgrid.h>
 
 #include <string>
 #include <vector>
@@ -14,7 +16,7 @@ namespace golden {
 struct GoldenScene {
   std::string name;
   hg_grid_def def;
-  hgtest::Particles particles;
+  particles::ParticleSet particles;
 };
 
 std::vector<GoldenScene> all_scenes();

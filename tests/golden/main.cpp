@@ -5,7 +5,6 @@
 // its hash, and that of its order, worth keeping.
 #include "tests/golden/golden_scenes.hpp"
 #include "tests/support/compare.hpp"
-#include "tests/support/sweep.hpp"
 
 #include <algorithm>
 #include <cinttypes>
@@ -18,7 +17,7 @@
 namespace {
 
 using golden::GoldenScene;
-using hgtest::Pairs;
+using oracle::Pairs;
 
 // FNV-1a of the bytes, least significant first whatever the machine.
 class Hash {
@@ -46,7 +45,7 @@ uint64_t hash_of(const Pairs &pairs) {
   return hash.value();
 }
 
-uint64_t hash_of(const hgtest::Particles &particles) {
+uint64_t hash_of(const particles::ParticleSet &particles) {
   Hash hash;
   for (const double x : particles.centers) hash.add(x);
   for (const double r : particles.radii) hash.add(r);
@@ -68,19 +67,19 @@ std::string line_of(const GoldenScene &scene, const Pairs &by_id, const Pairs &a
 
 bool is_periodic(const hg_grid_def &def) { return def.periodic[0] + def.periodic[1] + def.periodic[2] > 0; }
 
-Pairs expected_pairs(const GoldenScene &scene, hgtest::Interact *interact) {
-  return is_periodic(scene.def) ? all_pairs(scene.def, scene.particles, interact)
-                                : swept_pairs(scene.def, scene.particles, interact);
+Pairs expected_pairs(const GoldenScene &scene, oracle::Rule *rule) {
+  return is_periodic(scene.def) ? all_pairs(scene.def, scene.particles, rule)
+                                : swept_pairs(scene.def, scene.particles, rule);
 }
 
 // HG_FLOAT may have more than the exact pairs, but no fewer.
 void require_justified(const GoldenScene &scene, const Pairs &by_id) {
   const bool plain = scene.def.accuracy == HG_DOUBLE;
-  const Pairs expected = expected_pairs(scene, plain ? hgtest::double_interact : hgtest::exact_interact);
+  const Pairs expected = expected_pairs(scene, plain ? oracle::double_interact : oracle::exact_interact);
   if (scene.def.accuracy != HG_FLOAT) {
     hgtest::require_same(scene.name.c_str(), by_id, expected);
   } else {
-    hgtest::require(std::includes(by_id.begin(), by_id.end(), expected.begin(), expected.end(), hgtest::pair_less),
+    hgtest::require(std::includes(by_id.begin(), by_id.end(), expected.begin(), expected.end(), oracle::pair_less),
                     scene.name + ": a pair is missing");
   }
 }

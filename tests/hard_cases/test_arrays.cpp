@@ -45,9 +45,9 @@ void odd_addresses(void **) {
     const Pairs expected = all_pairs(def, particles, exact_interact);
     const Misaligned<double> centers(particles.centers), radii(particles.radii);
     const Grid grid = make_grid(def);
-    require_ok(hg_insert(grid.get(), particles.size(), centers.get(), radii.get()), "hg_insert");
+    require_ok(hg_insert(grid.get(), particles.count(), centers.get(), radii.get()), "hg_insert");
     require_same("inserted", sorted_pairs_of(grid), expected);
-    require_ok(hg_move(grid.get(), particles.size(), centers.get(), radii.get()), "hg_move");
+    require_ok(hg_move(grid.get(), particles.count(), centers.get(), radii.get()), "hg_move");
     require_same("moved", sorted_pairs_of(grid), expected);
     const Misaligned<double> center({5, 5, 5});
     const int32_t *found = nullptr;

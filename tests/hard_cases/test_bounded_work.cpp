@@ -5,7 +5,6 @@
 #include "tests/support/compare.hpp"
 #include "tests/support/frame.h"
 #include "tests/support/rng.hpp"
-#include "tests/support/sweep.hpp"
 
 #include <cmath>
 #include <initializer_list>

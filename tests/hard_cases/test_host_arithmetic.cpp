@@ -5,7 +5,6 @@
 #include "tests/support/compare.hpp"
 #include "tests/support/frame.h"
 #include "tests/support/scenes.hpp"
-#include "tests/support/sweep.hpp"
 
 #include <cfenv>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // touching COUNT OFFSET RATIO: prints a particle file full of pairs within rounding of touching, radii over a range of
 // RATIO, all coordinates moved by OFFSET.
-#include "programs/accuracy/systems.hpp"
+#include "programs/accuracy/search/systems.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -15,3 +15,11 @@ extern "C" {
 // These macros of cmocka would rewrite member functions of the same names, in the standard library too.
 #undef fail
 #undef skip
+
+// The test that a check is true. It asserts when no object of the check is alive any more: a failed assertion leaves by
+// longjmp, which skips destructors.
+template <bool (*Check)()>
+void passes(void **) {
+  const bool ok = Check();
+  assert_true(ok);
+}

@@ -53,7 +53,7 @@ class Walk {
   }
 
   // Particles come from the pool of the scene, so that boxes and user cells always fit them.
-  size_t any_of_pool() { return rng_.below(pool_.size()); }
+  size_t any_of_pool() { return rng_.below(pool_.count()); }
 
   void insert() {
     Particles batch;
@@ -61,10 +61,10 @@ class Walk {
     const int count = rng_.integer(0, 40);
     for (int k = 0; k < count; k++) {
       batch.add(pool_.center(any_of_pool()), pool_.radii[any_of_pool()]);
-      live_.add(batch.center(batch.size() - 1), batch.radii.back());
+      live_.add(batch.center(batch.count() - 1), batch.radii.back());
       ids_.push_back(next_id_++);
     }
-    require_ok(hg_insert(grid_.get(), batch.size(), batch.centers.data(), batch.radii.data()), "hg_insert");
+    require_ok(hg_insert(grid_.get(), batch.count(), batch.centers.data(), batch.radii.data()), "hg_insert");
   }
 
   // Small steps, jumps, or new radii as well.
@@ -72,7 +72,7 @@ class Walk {
     const bool jump = rng_.chance(0.3);
     const bool new_radii = rng_.chance(0.4);
     const size_t dimension = static_cast<size_t>(live_.dimension);
-    for (size_t i = 0; i < live_.size(); i++) {
+    for (size_t i = 0; i < live_.count(); i++) {
       if (jump) {
         std::copy_n(pool_.center(any_of_pool()), dimension, &live_.centers[i * dimension]);
       } else {
@@ -82,7 +82,7 @@ class Walk {
       }
       if (new_radii) live_.radii[i] = pool_.radii[any_of_pool()];
     }
-    require_ok(hg_move(grid_.get(), live_.size(), live_.centers.data(), new_radii ? live_.radii.data() : nullptr),
+    require_ok(hg_move(grid_.get(), live_.count(), live_.centers.data(), new_radii ? live_.radii.data() : nullptr),
                "hg_move");
   }
 
@@ -92,7 +92,7 @@ class Walk {
     Particles left;
     left.dimension = live_.dimension;
     std::vector<int32_t> left_ids;
-    for (size_t i = 0; i < live_.size(); i++) {
+    for (size_t i = 0; i < live_.count(); i++) {
       if (rng_.chance(share)) {
         gone.insert(gone.begin() + static_cast<ptrdiff_t>(rng_.below(gone.size() + 1)), ids_[i]);
       } else {
@@ -117,7 +117,7 @@ class Walk {
     require_same(scene_.name.c_str(), sorted_pairs_of(grid_), all_pairs(scene_.def, live_, ids_, exact_interact));
     hg_grid_stats stats;
     require_ok(hg_get_stats(grid_.get(), &stats, sizeof stats), "hg_get_stats");
-    require(stats.particle_count == static_cast<int64_t>(live_.size()), "wrong number of live particles");
+    require(stats.particle_count == static_cast<int64_t>(live_.count()), "wrong number of live particles");
   }
 
   Rng rng_;

@@ -4,7 +4,6 @@
 // particles into cells by powers of two of their size and decides every near pair exactly.
 #include "tests/support/compare.hpp"
 #include "tests/support/frame.h"
-#include "tests/support/oracle.hpp"
 #include "tests/support/rng.hpp"
 #include "tests/support/size_laws.hpp"
 
@@ -76,7 +75,7 @@ hgtest::Pairs oracle_pairs(const hg_grid_def &def, const Particles &particles) {
   const bool periodic = def.periodic[0] != 0;
   std::vector<std::vector<size_t>> members;
   const auto class_of = [](double radius) { return static_cast<size_t>(std::max(0, std::ilogb(radius))); };
-  for (size_t i = 0; i < particles.size(); i++) {
+  for (size_t i = 0; i < particles.count(); i++) {
     members.resize(std::max(members.size(), class_of(particles.radii[i]) + 1));
     members[class_of(particles.radii[i])].push_back(i);
   }
@@ -84,7 +83,7 @@ hgtest::Pairs oracle_pairs(const hg_grid_def &def, const Particles &particles) {
   for (size_t c = 0; c < members.size(); c++) {
     const double largest = std::ldexp(1.0, static_cast<int>(c) + 1);  // above every radius of the class
     const SizeClass fine(particles, members[c], low, edge, 2 * largest);
-    for (size_t i = 0; i < particles.size(); i++) {
+    for (size_t i = 0; i < particles.count(); i++) {
       if (class_of(particles.radii[i]) < c) continue;
       const Sphere a{particles.center(i), particles.radii[i]};
       const double reach = (particles.radii[i] + largest + def.margin) * (1 + 1e-9);

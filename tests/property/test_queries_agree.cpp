@@ -107,10 +107,10 @@ void check_neighbors(uint64_t seed) {
   const Scene scene = draw(rng, rng.below(250));
   const Grid grid = make_grid(scene.def, scene.particles);
   const Pairs expected = all_pairs(scene.def, scene.particles, exact_interact);
-  require_same("half list", pairs_from_lists(grid, scene.def, scene.particles.size(), HG_HALF), expected);
+  require_same("half list", pairs_from_lists(grid, scene.def, scene.particles.count(), HG_HALF), expected);
   Pairs both = expected;
   for (const hg_pair &pair : expected) both.push_back({pair.b, pair.a});
-  require_same("full list", pairs_from_lists(grid, scene.def, scene.particles.size(), HG_FULL), sorted(both));
+  require_same("full list", pairs_from_lists(grid, scene.def, scene.particles.count(), HG_FULL), sorted(both));
 }
 void neighbour_lists(void **) { assert_true(sweep(250, check_neighbors)); }
 
@@ -119,9 +119,9 @@ void check_spheres(uint64_t seed) {
   Rng rng(seed);
   Scene scene = draw(rng, 1 + rng.below(200));
   scene.def.accuracy = rng.chance(0.7) ? HG_EXACT : HG_DOUBLE;
-  Interact *interact = scene.def.accuracy == HG_EXACT ? exact_interact : double_interact;
+  oracle::Rule *rule = scene.def.accuracy == HG_EXACT ? exact_interact : double_interact;
   const Grid grid = make_grid(scene.def, scene.particles);
-  const size_t count = scene.particles.size();
+  const size_t count = scene.particles.count();
   for (int k = 0; k < 12; k++) {
     double center[3];
     const double *a = scene.particles.center(rng.below(count));
@@ -134,7 +134,7 @@ void check_spheres(uint64_t seed) {
     size_t found = 0;
     require_ok(hg_query_sphere(grid.get(), center, radius, &ids, &found), "hg_query_sphere");
     require_same(scene.name.c_str(), std::vector<int32_t>(ids, ids + found),
-                 all_in_sphere(scene.def, scene.particles, {center, radius}, interact));
+                 all_in_sphere(scene.def, scene.particles, {center, radius}, rule));
   }
 }
 void spheres(void **) { assert_true(sweep(400, check_spheres)); }
@@ -143,7 +143,7 @@ void spheres(void **) { assert_true(sweep(400, check_spheres)); }
 void check_symmetry(uint64_t seed) {
   Rng rng(seed);
   const Scene scene = open_scene(rng, 3, rng.below(250), static_cast<Sizes>(rng.below(kSizesCount)), Places::kUniform);
-  const size_t count = scene.particles.size();
+  const size_t count = scene.particles.count();
   const Pairs expected = sorted_pairs_of(make_grid(scene.def, scene.particles));
   std::vector<size_t> source(count);
   std::iota(source.begin(), source.end(), 0);

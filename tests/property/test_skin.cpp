@@ -22,7 +22,7 @@ class Run {
  public:
   Run(uint64_t seed, double skin_share) : rng_(seed), scene_(draw(rng_)) {
     double mean = 0;
-    for (const double r : scene_.particles.radii) mean += r / static_cast<double>(scene_.particles.size());
+    for (const double r : scene_.particles.radii) mean += r / static_cast<double>(scene_.particles.count());
     scene_.def.skin = skin_share * mean;
     half_ = 0.5 * std::min(scene_.def.skin, mean);
     largest_ = *std::max_element(scene_.particles.radii.begin(), scene_.particles.radii.end());
@@ -63,7 +63,7 @@ class Run {
   void move(Motion motion) {
     Particles &p = scene_.particles;
     bool new_radii = rng_.chance(0.2);
-    for (size_t i = 0; i < p.size(); i++) {
+    for (size_t i = 0; i < p.count(); i++) {
       switch (motion) {
         case Motion::kDrift:
           step(i, 0.3 * half_);
@@ -86,7 +86,7 @@ class Run {
           break;
       }
     }
-    require_ok(hg_move(grid_.get(), p.size(), p.centers.data(), new_radii ? p.radii.data() : nullptr), "hg_move");
+    require_ok(hg_move(grid_.get(), p.count(), p.centers.data(), new_radii ? p.radii.data() : nullptr), "hg_move");
   }
 
   void step(size_t i, double most) {
@@ -129,7 +129,7 @@ class Run {
     const int32_t *neighbors = nullptr;
     require_ok(hg_query_neighbors(grid_.get(), HG_HALF, &offsets, &neighbors), "hg_query_neighbors");
     Pairs pairs;
-    for (size_t i = 0; i < scene_.particles.size(); i++) {
+    for (size_t i = 0; i < scene_.particles.count(); i++) {
       for (int64_t n = offsets[i]; n < offsets[i + 1]; n++) {
         pairs.push_back({static_cast<int32_t>(i) + scene_.def.index_base, neighbors[n]});
       }
@@ -138,7 +138,7 @@ class Run {
   }
 
   void compare_sphere(bool by_double) {
-    const size_t near = rng_.below(scene_.particles.size());
+    const size_t near = rng_.below(scene_.particles.count());
     double at[3];
     for (size_t k = 0; k < dimension(); k++) at[k] = center(near)[k] + rng_.uniform(-1, 1) * largest_;
     const Sphere sphere = {at, rng_.uniform(0, 2) * largest_};
@@ -198,7 +198,7 @@ void check_coarse_places(uint64_t seed) {
   for (int step = 0; step < 6; step++) {
     require_same("coarse places", sorted_pairs_of(grid), all_pairs(def, particles, exact_interact));
     for (double &x : particles.centers) x += rng.integer(-1, 1) * (rng.chance(0.5) ? unit : 0.0625);
-    require_ok(hg_move(grid.get(), particles.size(), particles.centers.data(), nullptr), "hg_move");
+    require_ok(hg_move(grid.get(), particles.count(), particles.centers.data(), nullptr), "hg_move");
   }
 }
 void coarse_places(void **) {
@@ -216,7 +216,7 @@ Pairs after_steps(const Scene &start, double step, int threads, int steps) {
   Pairs all = pairs_of(grid);
   for (int k = 0; k < steps; k++) {
     for (double &x : particles.centers) x += rng.uniform(-step, step);
-    require_ok(hg_move(grid.get(), particles.size(), particles.centers.data(), nullptr), "hg_move");
+    require_ok(hg_move(grid.get(), particles.count(), particles.centers.data(), nullptr), "hg_move");
     const Pairs pairs = pairs_of(grid);
     all.insert(all.end(), pairs.begin(), pairs.end());
   }

@@ -10,13 +10,6 @@
 namespace hgtest {
 namespace {
 
-// The first elements of `from` that `other` lacks; both ascend.
-Pairs lacking(const Pairs &from, const Pairs &other) {
-  Pairs result;
-  std::set_difference(from.begin(), from.end(), other.begin(), other.end(), std::back_inserter(result), pair_less);
-  return result;
-}
-
 std::string first_of(const Pairs &pairs) {
   if (pairs.empty()) return "none";
   return std::to_string(pairs.size()) + ", first (" + std::to_string(pairs[0].a) + ", " + std::to_string(pairs[0].b) +
@@ -35,10 +28,10 @@ void require_ok(hg_status status, const char *call) {
 
 void require_same(const char *what, const Pairs &got, const Pairs &expected) {
   if (std::equal(got.begin(), got.end(), expected.begin(), expected.end(), pair_equal)) return;
-  const Pairs ascending = sorted(got);
+  const oracle::Difference wrong = oracle::difference(expected, got);
   throw Failure(std::string(what) + ": " + std::to_string(got.size()) + " pairs, expected " +
-                std::to_string(expected.size()) + "; missing: " + first_of(lacking(expected, ascending)) +
-                "; too many: " + first_of(lacking(ascending, expected)));
+                std::to_string(expected.size()) + "; missing: " + first_of(wrong.missing) +
+                "; too many: " + first_of(wrong.extra));
 }
 
 void require_same(const char *what, const std::vector<int32_t> &got, const std::vector<int32_t> &expected) {
@@ -57,7 +50,7 @@ Grid make_grid(const hg_grid_def &def) {
 
 Grid make_grid(const hg_grid_def &def, const Particles &particles) {
   Grid grid = make_grid(def);
-  require_ok(hg_insert(grid.get(), particles.size(), particles.centers.data(), particles.radii.data()), "hg_insert");
+  require_ok(hg_insert(grid.get(), particles.count(), particles.centers.data(), particles.radii.data()), "hg_insert");
   return grid;
 }
 

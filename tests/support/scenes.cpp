@@ -108,7 +108,7 @@ void draw_options(Rng &rng, Scene &scene) {
   def.index_base = rng.integer(0, 1);
   def.interaction = rng.chance(0.7) ? HG_CONTACT : HG_MAX_RANGE;
   const double largest =
-      scene.particles.size() == 0 ? 1 : *std::max_element(scene.particles.radii.begin(), scene.particles.radii.end());
+      scene.particles.count() == 0 ? 1 : *std::max_element(scene.particles.radii.begin(), scene.particles.radii.end());
   if (rng.chance(0.4)) def.margin = rng.uniform(0, 0.2) * largest;
 }
 
@@ -134,7 +134,7 @@ void draw_box(Rng &rng, Scene &scene, int axes) {
 
 std::string describe(const Scene &scene, Sizes sizes, const char *places) {
   return std::to_string(scene.particles.dimension) + "D " + kSizesNames[static_cast<int>(sizes)] + " " + places +
-         " N=" + std::to_string(scene.particles.size()) +
+         " N=" + std::to_string(scene.particles.count()) +
          (scene.def.interaction == HG_CONTACT ? " contact" : " max-range") + (scene.def.margin > 0 ? " margin" : "");
 }
 
@@ -189,7 +189,7 @@ Scene open_scene(Rng &rng, int dimension, size_t count, Sizes sizes, Places plac
 }
 
 double largest_reach(const hg_grid_def &def, const Particles &particles) {
-  if (particles.size() == 0) return def.margin;
+  if (particles.count() == 0) return def.margin;
   const double largest = *std::max_element(particles.radii.begin(), particles.radii.end());
   return (def.interaction == HG_MAX_RANGE ? largest : 2 * largest) + def.margin;
 }
@@ -199,7 +199,7 @@ Scene periodic_scene(Rng &rng, int dimension, int axes, size_t count, Sizes size
   scene.particles = draw_particles(rng, dimension, count, sizes, Places::kUniform);
   draw_options(rng, scene);
   draw_box(rng, scene, axes);
-  for (size_t i = 0; i < scene.particles.size(); i++) {
+  for (size_t i = 0; i < scene.particles.count(); i++) {
     for (int k = 0; k < dimension; k++) {
       double &x = scene.particles.centers[i * static_cast<size_t>(dimension) + static_cast<size_t>(k)];
       const double length = scene.def.box_max[k] - scene.def.box_min[k];

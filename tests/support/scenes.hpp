@@ -3,13 +3,17 @@
 // Random particle sets with their grid definitions: size laws, arrangements in space, options of the grid.
 #pragma once
 
-#include "tests/support/oracle.hpp"
+#include "particles/particle_set.hpp"
 #include "tests/support/rng.hpp"
+
+#include <hgrid/hgrid.h>
 
 #include <string>
 #include <vector>
 
 namespace hgtest {
+
+using Particles = particles::ParticleSet;
 
 enum class Sizes { kMono, kTwo, kUniform, kUniformVolume, kSteep, kLogUniform, kSomeZero };
 enum class Places {

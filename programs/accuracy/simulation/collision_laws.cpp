@@ -3,11 +3,11 @@
 // How the errors of a collision fall with the steps per contact.
 //
 // Elastic: e^2 is the energy of the oscillator that the particle meets over that of the one it leaves, both off by
-// (pi / n)^2 g (kink.hpp), so e - 1 = (pi^2 / 2 n^2) (g(q) - g(p)) with the moments p of meeting and q of parting, seen
-// backwards. In a whole number of steps q = 1 - p but for the error of the duration, and g(1 - p) = g(p).
+// (pi / n)^2 g (contact_onset.hpp), so e - 1 = (pi^2 / 2 n^2) (g(q) - g(p)) with the moments p of meeting and q of
+// parting, seen backwards. In a whole number of steps q = 1 - p but for the error of the duration, and g(1 - p) = g(p).
 #include "programs/accuracy/simulation/collision_laws.hpp"
 
-#include "programs/accuracy/simulation/kink.hpp"
+#include "programs/accuracy/simulation/contact_onset.hpp"
 #include "programs/accuracy/simulation/oscillator.hpp"
 
 #include <cmath>
@@ -61,18 +61,18 @@ PowerLaw elastic_restitution_law(const dem::Scheme &scheme) {
 }
 
 PowerLaw any_step_restitution_law(const dem::Scheme &scheme) {
-  return {2, kPi * kPi / 2 * std::sqrt(2 * kink_energy(path_of(scheme)).variance)};
+  return {2, kPi * kPi / 2 * std::sqrt(2 * onset_energy(path_of(scheme)).variance)};
 }
 
 // The amplitude is that of the energy at meeting: less by (pi^2 / 2 n^2) g. A scheme of second order swings wider by
-// x^2 / 2 = pi^2 / (8 n^2) if it shows the positions at which forces are reckoned, else narrower by as much. And no
+// x^2 / 2 = pi^2 / (8 n^2) if it shows the positions at which forces are computed, else narrower by as much. And no
 // step need fall on the top: the nearest is off by up to half a step, m, and lower by (pi m / n)^2 / 2; m^2 has the
 // mean 1 / 12 and the variance 1 / 180.
 PowerLaw any_step_overlap_law(const dem::Scheme &scheme) {
-  const KinkEnergy kink = kink_energy(path_of(scheme));
+  const OnsetEnergy onset = onset_energy(path_of(scheme));
   const double swing = is_fourth_order(scheme) ? 0 : scheme.shared_drift == 0 ? 0.25 : -0.25;
-  const double mean = swing - kink.mean - 1.0 / 12;
-  return {2, kPi * kPi / 2 * std::sqrt(mean * mean + kink.variance + 1.0 / 180)};
+  const double mean = swing - onset.mean - 1.0 / 12;
+  return {2, kPi * kPi / 2 * std::sqrt(mean * mean + onset.variance + 1.0 / 180)};
 }
 
 PowerLaw damped_duration_law(double restitution) { return {1, Damped(restitution).shortening()}; }

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// An elastic gas of spheres of radius 1 to measure on.
 #include "programs/accuracy/simulation/elastic_gas.hpp"
 
 #include "dem/engine/engine.hpp"
@@ -45,10 +44,10 @@ dem::Setup elastic_gas(const GasCase &what) {
     gas.radii.push_back(1);
     gas.masses.push_back(1 + what.mass_spread * random.uniform());
   }
-  for (int k = 0; k < 3; k++) {
-    gas.box_max[k] = static_cast<double>(what.edge) * spacing;
-    gas.periodic[k] = what.periodic;
-    gas.walled[k] = !what.periodic;
+  for (int axis = 0; axis < 3; axis++) {
+    gas.box_max[axis] = static_cast<double>(what.edge) * spacing;
+    gas.periodic[axis] = what.periodic;
+    gas.walled[axis] = !what.periodic;
   }
   heat(what, gas, random);
   return gas;

@@ -25,7 +25,9 @@ dem::Setup elastic_gas(const GasCase &what);
 // The same after 20 t_c, when the spheres have left the lattice and collide.
 dem::Setup melted_gas(const GasCase &what);
 
-// About `count` equal spheres between walls, as dense as a liquid: to be timed.
+// About `count` equal spheres between walls, as dense as a liquid: to be timed. So many are enough to forget the work
+// per step.
+constexpr size_t kTimedGasCount = 4096;
 GasCase timed_gas(size_t count);
 
 // kT at which two spheres of mass 1 meet with the flux-weighted mean speed sqrt(pi kT) that lets them overlap so.

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// How well an elastic gas keeps its energy.
 #include "programs/accuracy/simulation/gas_energy.hpp"
 
 #include "dem/engine/time_step.hpp"

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Collisions of two spheres that begin at any moment within a time step.
 #include "programs/accuracy/simulation/single_collision.hpp"
 
 #include "dem/engine/error.hpp"

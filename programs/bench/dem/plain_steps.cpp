@@ -4,7 +4,7 @@
 #include "dem/engine/space_order.hpp"
 #include "programs/bench/dem/stepper.hpp"
 #include "programs/bench/plain_searches.hpp"
-#include "programs/measure/search_timer.hpp"
+#include "programs/measure/timing.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 
 #include "programs/bench/csv_row.hpp"
 #include "programs/bench/machine.hpp"
+#include "programs/measure/statistics.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -30,7 +31,7 @@ std::vector<double> step_times(const StepResult &result) {
 void write_row(particles::Output &out, const StepMeasurement &measurement, const StepResult &result) {
   const std::vector<double> seconds = step_times(result);
   const double per_particle = 1e9 / static_cast<double>(measurement.particles);
-  const auto share = [&](double s) { return seconds.empty() ? -1 : per_particle * quantile(seconds, s); };
+  const auto share = [&](double s) { return seconds.empty() ? -1 : per_particle * measure::quantile(seconds, s); };
   const StepContestant &who = result.contestant;
   CsvRow row(out);
   row.text(measurement.sweep).text(measurement.system).number(measurement.size_ratio).number(measurement.particles);
@@ -39,7 +40,7 @@ void write_row(particles::Output &out, const StepMeasurement &measurement, const
   row.known(result.details.predicted_cost).known(result.details.candidates).number(who.skin);
   row.known(result.details.searches_per_step).number(static_cast<size_t>(result.steps)).number(seconds.size());
   row.known(share(0.5)).known(share(0)).known(share(0.25)).known(share(0.75));
-  row.known(seconds.empty() ? -1 : 1 / quantile(seconds, 0.5));
+  row.known(seconds.empty() ? -1 : 1 / measure::quantile(seconds, 0.5));
   row.number(result.contacts).number(result.energy_change).text(verdict(result));
   row.text(processor()).number(processor_count()).text(compiler()).text(commit());
 }
@@ -67,9 +68,10 @@ void print(const StepMeasurement &measurement) {
       continue;
     }
     const double per_particle = 1e9 / static_cast<double>(measurement.particles);
-    std::printf("%5.2g %9.4g %9.2f %9.2f %9.2f %5zu %9.4f %9.1e  %s\n", who.skin, 1 / quantile(seconds, 0.5),
-                per_particle * quantile(seconds, 0.5), per_particle * seconds.front(), per_particle * seconds.back(),
-                seconds.size(), result.contacts, result.energy_change, verdict(result).c_str());
+    std::printf("%5.2g %9.4g %9.2f %9.2f %9.2f %5zu %9.4f %9.1e  %s\n", who.skin, 1 / measure::quantile(seconds, 0.5),
+                per_particle * measure::quantile(seconds, 0.5), per_particle * seconds.front(),
+                per_particle * seconds.back(), seconds.size(), result.contacts, result.energy_change,
+                verdict(result).c_str());
   }
 }
 

@@ -4,7 +4,7 @@
 #include "programs/bench/dem/step_rounds.hpp"
 
 #include "programs/bench/child.hpp"
-#include "programs/measure/search_timer.hpp"
+#include "programs/measure/timing.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// `hgrid accuracy`: what accuracy costs in time, for every knob that trades one for the other.
+// `hgrid accuracy`: what accuracy costs in time, for every parameter that trades one for the other.
 #include "particles/text/output.hpp"
-#include "programs/accuracy/law_report.hpp"
-#include "programs/accuracy/pareto_picture.hpp"
-#include "programs/accuracy/points_file.hpp"
-#include "programs/accuracy/report.hpp"
-#include "programs/accuracy/search_knobs.hpp"
-#include "programs/accuracy/simulation_knobs.hpp"
-#include "programs/accuracy/trade.hpp"
+#include "programs/accuracy/report/pareto_picture.hpp"
+#include "programs/accuracy/report/points_file.hpp"
+#include "programs/accuracy/report/report.hpp"
+#include "programs/accuracy/search/studies.hpp"
+#include "programs/accuracy/simulation/studies.hpp"
+#include "programs/accuracy/study.hpp"
 #include "programs/hgrid/command.hpp"
 
 #include <CLI/CLI.hpp>
@@ -22,20 +21,23 @@
 namespace command {
 namespace {
 
+using accuracy::Point;
+using Studies = std::vector<accuracy::Study>;
+
 struct AccuracyOptions {
-  std::vector<std::string> knobs;
+  std::vector<std::string> names;  // of studies; users know the parameters that they vary as knobs
   bool simulation = false;
   accuracy::Budget budget;
   bool markdown = false;
   std::string from, csv, svg;
 };
 
-std::vector<accuracy::Knob> chosen_knobs(const AccuracyOptions &options) {
-  const std::vector<accuracy::Knob> &all = options.simulation ? accuracy::simulation_knobs() : accuracy::search_knobs();
-  if (options.knobs.empty()) return all;
-  std::vector<accuracy::Knob> chosen;
-  for (const std::string &name : options.knobs) {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const accuracy::Knob &k) { return name == k.name; });
+Studies chosen_studies(const AccuracyOptions &options) {
+  const Studies &all = options.simulation ? accuracy::simulation_studies() : accuracy::search_studies();
+  if (options.names.empty()) return all;
+  Studies chosen;
+  for (const std::string &name : options.names) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const accuracy::Study &s) { return name == s.name; });
     if (found == all.end()) throw CLI::ValidationError("--knob", "'" + name + "' is no knob");
     chosen.push_back(*found);
   }
@@ -48,60 +50,33 @@ void write_text(const std::string &path, const std::string &text) {
   out.close();
 }
 
-// Points that follow laws are many: a row for each law says more than theirs.
-std::string text_of(std::vector<accuracy::Knob> knobs, std::vector<accuracy::TradePoint> points,
-                    accuracy::Style style) {
-  const std::string laws = law_report(points, style);
-  const auto has_law = [](const accuracy::TradePoint &point) { return accuracy::has_law(point); };
-  points.erase(std::remove_if(points.begin(), points.end(), has_law), points.end());
-  const auto is_told = [&](const accuracy::Knob &knob) {
-    return std::none_of(points.begin(), points.end(),
-                        [&](const accuracy::TradePoint &point) { return point.knob == knob.name; });
+void print_progress(const std::string &what) { std::fprintf(stderr, "hgrid accuracy: %s\n", what.c_str()); }
+
+// Of the points of a file those of the studies.
+std::vector<Point> recorded_points(const std::string &path, const Studies &studies) {
+  std::vector<Point> points = accuracy::read_points(path);
+  const auto is_other = [&](const Point &point) {
+    return std::none_of(studies.begin(), studies.end(),
+                        [&](const auto &study) { return point.parameter == study.name; });
   };
-  knobs.erase(std::remove_if(knobs.begin(), knobs.end(), is_told), knobs.end());
-  return laws + (knobs.empty() ? "" : report(knobs, points, style));
-}
-
-std::vector<accuracy::TradePoint> measured_points(accuracy::Budget budget, const std::vector<accuracy::Knob> &knobs) {
-  if (budget.quick) {
-    budget.timed_count = std::min<size_t>(budget.timed_count, 5000);
-    budget.truth_count = std::min<size_t>(budget.truth_count, 600);
-    budget.repeats = std::min(budget.repeats, 3);
-  }
-  std::vector<accuracy::TradePoint> points;
-  for (const accuracy::Knob &knob : knobs) {
-    const auto progress = [&](const std::string &what) {
-      std::fprintf(stderr, "hgrid accuracy: %s: %s\n", knob.name, what.c_str());
-    };
-    const std::vector<accuracy::TradePoint> found = knob.measure(budget, progress);
-    points.insert(points.end(), found.begin(), found.end());
-  }
-  return points;
-}
-
-// Of the points of a file those that belong to the knobs.
-std::vector<accuracy::TradePoint> kept_points(const std::string &path, const std::vector<accuracy::Knob> &knobs) {
-  std::vector<accuracy::TradePoint> points;
-  for (accuracy::TradePoint &point : accuracy::read_points(path)) {
-    const auto is_its = [&](const accuracy::Knob &knob) { return point.knob == knob.name; };
-    if (std::any_of(knobs.begin(), knobs.end(), is_its)) points.push_back(std::move(point));
-  }
+  points.erase(std::remove_if(points.begin(), points.end(), is_other), points.end());
   return points;
 }
 
 void run_accuracy(const AccuracyOptions &options) {
-  const std::vector<accuracy::Knob> knobs = chosen_knobs(options);
-  const std::vector<accuracy::TradePoint> points =
-      options.from.empty() ? measured_points(options.budget, knobs) : kept_points(options.from, knobs);
+  const Studies studies = chosen_studies(options);
+  const std::vector<Point> points = options.from.empty()
+                                        ? accuracy::measured_points(studies, options.budget, print_progress)
+                                        : recorded_points(options.from, studies);
   const accuracy::Style style = options.markdown ? accuracy::Style::kMarkdown : accuracy::Style::kText;
-  write_text("-", text_of(knobs, points, style));
+  write_text("-", accuracy::report(studies, points, style));
   if (!options.csv.empty()) accuracy::write_points(options.csv, points);
-  if (!options.svg.empty()) write_text(options.svg, pareto_picture(knobs, points));
+  if (!options.svg.empty()) write_text(options.svg, accuracy::pareto_picture(studies, points));
 }
 
-std::string list_of(const std::vector<accuracy::Knob> &knobs) {
+std::string list_of(const Studies &studies) {
   std::string list;
-  for (const accuracy::Knob &knob : knobs) list += "  " + std::string(knob.name) + ": " + knob.title + "\n";
+  for (const accuracy::Study &study : studies) list += "  " + std::string(study.name) + ": " + study.title + "\n";
   return list;
 }
 
@@ -111,7 +86,7 @@ void add_accuracy(CLI::App &parent) {
   auto options = std::make_shared<AccuracyOptions>();
   CLI::App *command = parent.add_subcommand("accuracy", "Measure what accuracy costs in time");
   accuracy::Budget &budget = options->budget;
-  command->add_option("--knob", options->knobs, "Only these knobs: see --help")->delimiter(',');
+  command->add_option("--knob", options->names, "Only these knobs: see --help")->delimiter(',');
   command->add_flag("--quick", budget.quick, "Small systems and few repeats: to try it out");
   command->add_option("--count", budget.timed_count, "Particles of the systems that are timed")
       ->check(CLI::Range(1000, 100000000))
@@ -127,8 +102,8 @@ void add_accuracy(CLI::App &parent) {
   command->add_option("--csv", options->csv, "Also write all points to this file");
   command->add_option("--svg", options->svg, "Also draw error against time to this file");
   command->add_flag("--simulation", options->simulation, "The knobs of the simulation instead of the search's");
-  command->footer("Knobs of the search:\n" + list_of(accuracy::search_knobs()) + "Knobs of the simulation:\n" +
-                  list_of(accuracy::simulation_knobs()));
+  command->footer("Knobs of the search:\n" + list_of(accuracy::search_studies()) + "Knobs of the simulation:\n" +
+                  list_of(accuracy::simulation_studies()));
   command->callback([options] { run_accuracy(*options); });
 }
 

@@ -12,6 +12,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -35,8 +36,10 @@ struct BenchOptions {
 
 struct Row {
   std::string name;
-  std::unique_ptr<measure::SearchTimer> timer;
+  measure::SearchTimer timer;
   std::optional<hg_level_cost> predicted;  // what the rule expects of that many levels
+
+  void run() { timer.run(); }
 };
 
 struct Result {
@@ -45,11 +48,8 @@ struct Result {
   size_t pairs = 0, runs = 0;
 };
 
-hg_grid_def grid_def(const BenchOptions &options, const particles::ParticleSet &particles, int32_t rule,
-                     int level_count) {
+hg_grid_def grid_def(const BenchOptions &options, const particles::ParticleSet &particles) {
   hg_grid_def def = measure::def_of(particles);
-  def.level_rule = rule;
-  def.level_count = level_count;
   def.thread_count = options.threads;
   def.level_price = options.level_price;
   def.row_price = options.row_price;
@@ -58,55 +58,32 @@ hg_grid_def grid_def(const BenchOptions &options, const particles::ParticleSet &
   return def;
 }
 
-// What the level rule expects of the number of levels that the grid has.
-std::optional<hg_level_cost> predicted_cost(particles::Grid &grid, size_t level_count) {
-  for (const hg_level_cost &cost : grid.level_costs()) {
-    if (cost.reachable != 0 && static_cast<size_t>(cost.level_count) == level_count) return cost;
-  }
-  return std::nullopt;
-}
-
 // Eq. 7 with the paper's K.
 double paper_cost(const hg_level_cost &cost) { return cost.level_count * (cost.occupancy + 0.3); }
 
 // One row for each number of levels that the sizes can be split into, and one for the library's own choice. All by the
 // same rule: that of the paper's Appendix A sorts the radii, which would add the same time to each row.
 std::vector<Row> make_rows(const BenchOptions &options, const particles::ParticleSet &particles) {
+  const hg_grid_def def = grid_def(options, particles);
   std::vector<Row> rows;
-  for (int count = 1; count <= options.most_levels; count++) {
-    const hg_grid_def def = grid_def(options, particles, HG_LEVELS_AUTO, count);
-    auto timer = std::make_unique<measure::SearchTimer>(def, particles);
-    timer->grid().insert(particles);
-    const size_t levels = timer->grid().levels().count;
-    if (levels != static_cast<size_t>(count)) continue;
-    const std::optional<hg_level_cost> predicted = predicted_cost(timer->grid(), levels);
+  for (measure::SearchTimer &timer : measure::timers_by_level_count(def, particles, options.most_levels)) {
+    const std::optional<hg_level_cost> predicted = measure::expected_cost(timer.grid(), timer.level_count());
     rows.push_back({"asked", std::move(timer), predicted});
   }
-  const hg_grid_def def = grid_def(options, particles, HG_LEVELS_AUTO, 0);
-  rows.push_back({"chosen", std::make_unique<measure::SearchTimer>(def, particles), {}});
+  rows.push_back({"chosen", measure::SearchTimer(def, particles), {}});
   return rows;
 }
 
-// Rounds over all rows, so that a slow moment of the machine touches all alike. Slow rows get fewer runs.
-void run_rows(const BenchOptions &options, std::vector<Row> &rows) {
-  for (int repeat = 0; repeat < options.repeats; repeat++) {
-    for (Row &row : rows) {
-      if (repeat == 0 || row.timer->total_seconds() < options.seconds) row.timer->run();
-    }
-  }
-}
-
-Result result_of(const Row &row, size_t count) {
-  const double ns = 1e9 / static_cast<double>(count);
-  particles::Grid &grid = row.timer->grid();
-  const std::vector<double> &seconds = row.timer->seconds();
+Result result_of(Row &row, size_t count) {
+  measure::SearchTimer &timer = row.timer;
   Result result;
-  result.pairs = row.timer->pairs().count;
-  result.levels = grid.levels().count;
-  result.ns = row.timer->median_seconds() * ns;
-  result.fastest_ns = *std::min_element(seconds.begin(), seconds.end()) * ns;
-  result.candidates = static_cast<double>(grid.stats().candidate_count) / static_cast<double>(count);
-  result.runs = seconds.size();
+  result.pairs = timer.pairs().count;
+  result.levels = timer.level_count();
+  result.ns = timer.ns_per_particle();
+  result.fastest_ns =
+      1e9 * *std::min_element(timer.seconds().begin(), timer.seconds().end()) / static_cast<double>(count);
+  result.candidates = static_cast<double>(timer.grid().stats().candidate_count) / static_cast<double>(count);
+  result.runs = timer.seconds().size();
   return result;
 }
 
@@ -137,12 +114,11 @@ void run_bench(const BenchOptions &options) {
   const particles::ParticleSet particles = load_particles(options.particles);
   if (particles.count() == 0) throw particles::Error(options.particles.file, 0, "no particles to time");
   if (options.steps.steps > 0) {
-    bench_steps(options.steps, grid_def(options, particles, HG_LEVELS_AUTO, 0), particles, options.particles.file,
-                options.csv);
+    bench_steps(options.steps, grid_def(options, particles), particles, options.particles.file, options.csv);
     return;
   }
   std::vector<Row> rows = make_rows(options, particles);
-  run_rows(options, rows);
+  measure::in_turns(rows, options.repeats, options.seconds);
   std::printf("%s: %zu particles; from double arrays in memory to the complete pair list, threads: %s\n",
               options.particles.file.c_str(), particles.count(),
               options.threads == 0 ? "all" : std::to_string(options.threads).c_str());
@@ -153,7 +129,7 @@ void run_bench(const BenchOptions &options) {
   std::printf("%-8s %6s %12s %12s %5s %10s %10s %12s %12s\n", "", "levels", "ns/particle", "fastest", "runs", "paper",
               "fitted", "candidates", "pairs");
   std::vector<Result> results;
-  for (const Row &row : rows) {
+  for (Row &row : rows) {
     results.push_back(result_of(row, particles.count()));
     print_row(row, results.back());
   }

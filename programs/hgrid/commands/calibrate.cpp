@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // `hgrid calibrate`: fits the prices by which levels are chosen to the times measured on this machine.
-#include "packing/packing.hpp"
 #include "particles/error.hpp"
 #include "particles/files/reader.hpp"
+#include "programs/accuracy/search/systems.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/measure/least_squares.hpp"
 #include "programs/measure/search_timer.hpp"
@@ -14,7 +14,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,36 +45,29 @@ struct Sample {
   const System *system;
   int levels;
   Observation observation;
-  std::unique_ptr<measure::SearchTimer> timer;
+  measure::SearchTimer timer;
+
+  void run() { timer.run(); }
 };
 
 // Levels that take this much longer than the best are never chosen; they would bend the fit where it matters.
 constexpr double kDearest = 2.5;
-
-packing::Request request_of(packing::SizeLaw law, size_t count) {
-  packing::Request request;
-  request.law = law;
-  request.count = count;
-  request.sweeps = 20;
-  return request;
-}
 
 std::vector<System> make_systems(const CalibrateOptions &options) {
   std::vector<System> systems;
   for (const std::string &file : options.files) systems.push_back({file, particles::read_particles(file)});
   if (!systems.empty()) return systems;
   using packing::Law;
-  const std::vector<std::pair<const char *, packing::SizeLaw>> laws = {
-      {"mono", {Law::kMono, 1, 3}},
-      {"two-sizes, ratio 5", {Law::kTwoSizes, 5, 3}},
-      {"uniform-size, ratio 50", {Law::kUniformSize, 50, 3}},
-      {"uniform-volume, ratio 10", {Law::kUniformVolume, 10, 3}},
-      {"uniform-volume, ratio 30", {Law::kUniformVolume, 30, 3}},
-      {"log-normal, sigma 0.3", {Law::kLogNormal, 1, 3, 3, 0.3}},
-      {"log-normal, sigma 1", {Law::kLogNormal, 1, 3, 3, 1}},
-      {"power-law, ratio 20, exponent 4", {Law::kPowerLaw, 20, 3, 4}}};
+  const std::vector<accuracy::NamedLaw> laws = {{"mono", {Law::kMono, 1, 3}},
+                                                {"two-sizes, ratio 5", {Law::kTwoSizes, 5, 3}},
+                                                {"uniform-size, ratio 50", {Law::kUniformSize, 50, 3}},
+                                                {"uniform-volume, ratio 10", {Law::kUniformVolume, 10, 3}},
+                                                {"uniform-volume, ratio 30", {Law::kUniformVolume, 30, 3}},
+                                                {"log-normal, sigma 0.3", {Law::kLogNormal, 1, 3, 3, 0.3}},
+                                                {"log-normal, sigma 1", {Law::kLogNormal, 1, 3, 3, 1}},
+                                                {"power-law, ratio 20, exponent 4", {Law::kPowerLaw, 20, 3, 4}}};
   for (const auto &[name, law] : laws) {
-    systems.push_back({name, packing::make_packing(request_of(law, options.count), nullptr).particles});
+    systems.push_back({name, accuracy::relaxed(law, options.count, 20)});
   }
   return systems;
 }
@@ -89,10 +84,8 @@ hg_grid_def grid_def(const CalibrateOptions &options, const particles::ParticleS
 double expected_cost(hg_grid_def def, const particles::ParticleSet &particles, int levels) {
   particles::Grid grid(def);
   grid.insert(particles);
-  for (const hg_level_cost &cost : grid.level_costs()) {
-    if (cost.level_count == levels && cost.reachable != 0) return cost.cost;
-  }
-  return -1;
+  const std::optional<hg_level_cost> cost = measure::expected_cost(grid, static_cast<size_t>(levels));
+  return cost ? cost->cost : -1;
 }
 
 // With one price 1 and all others 0 the cost is the count itself, and the tests, whose price is always 1.
@@ -104,7 +97,7 @@ std::vector<Sample> make_samples(const CalibrateOptions &options, const std::vec
       hg_grid_def def = grid_def(options, system.particles, levels);
       const double tests = expected_cost(def, system.particles, levels);
       if (tests < 0) continue;
-      Sample sample{&system, levels, {}, std::make_unique<measure::SearchTimer>(def, system.particles)};
+      Sample sample{&system, levels, {}, measure::SearchTimer(def, system.particles)};
       std::array<double, kTerms> &term = sample.observation.term;
       sample.observation.group = group;
       term[kLevels] = levels;
@@ -118,14 +111,9 @@ std::vector<Sample> make_samples(const CalibrateOptions &options, const std::vec
 }
 
 void measure_samples(const CalibrateOptions &options, std::vector<Sample> &samples) {
-  for (int repeat = 0; repeat < options.repeats; repeat++) {
-    for (Sample &sample : samples) {
-      if (repeat == 0 || sample.timer->total_seconds() < options.seconds) sample.timer->run();
-    }
-  }
+  measure::in_turns(samples, options.repeats, options.seconds);
   for (Sample &sample : samples) {
-    const double count = static_cast<double>(sample.system->particles.count());
-    sample.observation.value = 1e9 * sample.timer->median_seconds() / count;
+    sample.observation.value = sample.timer.ns_per_particle();
     sample.observation.weight = 1 / (sample.observation.value * sample.observation.value);
   }
 }
@@ -146,10 +134,16 @@ void drop_dear_ones(std::vector<Sample> &samples) {
   samples.swap(kept);
 }
 
+std::vector<Observation> observations_of(const std::vector<Sample> &samples) {
+  std::vector<Observation> observations;
+  std::transform(samples.begin(), samples.end(), std::back_inserter(observations),
+                 [](const Sample &sample) { return sample.observation; });
+  return observations;
+}
+
 // What the prices are for: the times of a system's numbers of levels relative to each other. Its constant is the rest.
 void print_samples(const std::vector<Sample> &samples, const std::array<double, kTerms> &ns) {
-  std::vector<Observation> observations;
-  for (const Sample &s : samples) observations.push_back(s.observation);
+  const std::vector<Observation> observations = observations_of(samples);
   const std::vector<Observation> centered = measure::centered(observations);
   std::printf("%-34s %6s %8s %8s %10s %10s %8s\n", "system", "levels", "rows", "tests", "ns/part.", "fit", "error");
   double squares = 0;
@@ -167,13 +161,17 @@ void print_choices(const std::vector<System> &systems, const std::vector<Sample>
                    const std::array<double, kTerms> &ns) {
   std::printf("%-34s %10s %10s %18s\n", "system", "best L", "chosen L", "chosen over best");
   for (const System &system : systems) {
-    const Sample *best = nullptr, *chosen = nullptr;
+    std::vector<const Sample *> own;
     for (const Sample &s : samples) {
-      if (s.system != &system) continue;
-      if (best == nullptr || s.observation.value < best->observation.value) best = &s;
-      if (chosen == nullptr || measure::sum_of(ns, s.observation.term) < measure::sum_of(ns, chosen->observation.term))
-        chosen = &s;
+      if (s.system == &system) own.push_back(&s);
     }
+    if (own.empty()) continue;
+    const auto least = [&own](const auto &cost_of) {
+      return *std::min_element(own.begin(), own.end(),
+                               [&](const Sample *a, const Sample *b) { return cost_of(*a) < cost_of(*b); });
+    };
+    const Sample *best = least([](const Sample &s) { return s.observation.value; });
+    const Sample *chosen = least([&ns](const Sample &s) { return measure::sum_of(ns, s.observation.term); });
     std::printf("%-34s %10d %10d %18.3f\n", system.name.c_str(), best->levels, chosen->levels,
                 chosen->observation.value / best->observation.value);
   }
@@ -187,8 +185,7 @@ void run_calibrate(const CalibrateOptions &options) {
   std::vector<Sample> samples = make_samples(options, systems);
   measure_samples(options, samples);
   drop_dear_ones(samples);
-  std::vector<Observation> observations;
-  for (const Sample &s : samples) observations.push_back(s.observation);
+  const std::vector<Observation> observations = observations_of(samples);
   const std::array<double, kTerms> ns = measure::fit_non_negative(observations);
   const char *isa = std::getenv("HGRID_ISA");
   std::printf("instruction set: %s; counts and times per particle\n\n",

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // hgrid levels: the levels chosen for a particle file, what they cost, and why.
+#include "particles/text/formatted.hpp"
 #include "particles/text/output.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/hgrid/grid_options.hpp"
@@ -9,13 +10,13 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
 #include <memory>
 #include <string>
 
 namespace command {
 namespace {
+
+using particles::formatted;
 
 struct LevelsOptions {
   ParticleOptions particles;
@@ -24,21 +25,12 @@ struct LevelsOptions {
   bool costs = false;
 };
 
-[[gnu::format(printf, 2, 3)]] void print(particles::Output &out, const char *format, ...) {
-  char text[256];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  out << text;
-}
-
 void print_sizes(particles::Output &out, const particles::ParticleSet &particles) {
-  print(out, "particles   %zu in %d dimensions\n", particles.count(), particles.dimension);
+  out << formatted("particles   %zu in %d dimensions\n", particles.count(), particles.dimension);
   if (particles.count() > 0) {
     const auto [smallest, largest] = std::minmax_element(particles.radii.begin(), particles.radii.end());
-    print(out, "radii       %.6g to %.6g", *smallest, *largest);
-    if (*smallest > 0) print(out, ", size ratio %.6g", *largest / *smallest);
+    out << formatted("radii       %.6g to %.6g", *smallest, *largest);
+    if (*smallest > 0) out << formatted(", size ratio %.6g", *largest / *smallest);
     out << '\n';
   }
   if (!particles.has_box) {
@@ -47,8 +39,8 @@ void print_sizes(particles::Output &out, const particles::ParticleSet &particles
   }
   out << "box        ";
   for (int axis = 0; axis < particles.dimension; axis++)
-    print(out, " %.6g..%.6g%s", particles.box_min[axis], particles.box_max[axis],
-          particles.periodic[axis] ? " (periodic)" : "");
+    out << formatted(" %.6g..%.6g%s", particles.box_min[axis], particles.box_max[axis],
+                     particles.periodic[axis] ? " (periodic)" : "");
   out << "\n\n";
 }
 
@@ -56,8 +48,8 @@ void print_levels(particles::Output &out, const particles::Borrowed<hg_level> &l
   out << "  level     cell size  largest radius   particles  particles per cell\n";
   int number = 0;
   for (const hg_level &level : levels)
-    print(out, "  %5d  %12.6g  %14.6g  %10lld  %18.4g\n", ++number, level.cell_size, level.largest_radius,
-          static_cast<long long>(level.particle_count), level.occupancy);
+    out << formatted("  %5d  %12.6g  %14.6g  %10lld  %18.4g\n", ++number, level.cell_size, level.largest_radius,
+                     static_cast<long long>(level.particle_count), level.occupancy);
 }
 
 void print_costs(particles::Output &out, const particles::Borrowed<hg_level_cost> &costs, size_t chosen, bool eq_7) {
@@ -65,13 +57,13 @@ void print_costs(particles::Output &out, const particles::Borrowed<hg_level_cost
     out << "\nThe cell sizes were given: no other levels were looked at.\n";
     return;
   }
-  print(out, "\n  levels L  particles per cell m  %14s\n", eq_7 ? "cost L (m + K)" : "cost");
+  out << formatted("\n  levels L  particles per cell m  %14s\n", eq_7 ? "cost L (m + K)" : "cost");
   for (const hg_level_cost &cost : costs) {
     if (cost.reachable == 0)
-      print(out, "  %8d  cannot be reached with these sizes\n", cost.level_count);
+      out << formatted("  %8d  cannot be reached with these sizes\n", cost.level_count);
     else
-      print(out, "  %8d  %20.4g  %14.6g%s\n", cost.level_count, cost.occupancy, cost.cost,
-            static_cast<size_t>(cost.level_count) == chosen ? "  <- chosen" : "");
+      out << formatted("  %8d  %20.4g  %14.6g%s\n", cost.level_count, cost.occupancy, cost.cost,
+                       static_cast<size_t>(cost.level_count) == chosen ? "  <- chosen" : "");
   }
   out << "Cost: work for one particle, in units of testing one pair";
   out << (eq_7 ? ", after Eq. 7 of the paper.\n"
@@ -80,11 +72,11 @@ void print_costs(particles::Output &out, const particles::Borrowed<hg_level_cost
 }
 
 void print_statistics(particles::Output &out, const hg_grid_stats &stats) {
-  print(out, "\nstored      %lld cells in %lld rows\n", static_cast<long long>(stats.cell_count),
-        static_cast<long long>(stats.row_count));
+  out << formatted("\nstored      %lld cells in %lld rows\n", static_cast<long long>(stats.cell_count),
+                   static_cast<long long>(stats.row_count));
   if (stats.particle_count > 0)
-    print(out, "memory      %.1f bytes for each particle\n",
-          static_cast<double>(stats.byte_count) / static_cast<double>(stats.particle_count));
+    out << formatted("memory      %.1f bytes for each particle\n",
+                     static_cast<double>(stats.byte_count) / static_cast<double>(stats.particle_count));
 }
 
 void write_levels_csv(particles::Output &out, const particles::Borrowed<hg_level> &levels) {

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "oracle/pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace oracle {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Sphere sphere_of(const particles::ParticleSet &particles, size_t row) {
+  return {particles.center(row), particles.radii[row]};
+}
+
+std::vector<int32_t> ids_from(int32_t first, size_t count) {
+  std::vector<int32_t> ids(count);
+  std::iota(ids.begin(), ids.end(), first);
+  return ids;
+}
+
+struct Extent {
+  double low, high;
+  size_t row;
+};
+
+// Partners have |dx| < r_i + r_j + margin for either interaction, so their extents, each with half the margin, overlap.
+// The two steps outwards make up for the two roundings.
+Extent extent_of(const hg_grid_def &def, const Sphere &sphere, size_t row) {
+  const double x = sphere.center[0];
+  const double half = std::nextafter(sphere.radius + 0.5 * def.margin, kInfinity);
+  return {std::nextafter(x - half, -kInfinity), std::nextafter(x + half, kInfinity), row};
+}
+
+}  // namespace
+
+Pairs all_pairs(const hg_grid_def &def, const particles::ParticleSet &particles, const std::vector<int32_t> &ids,
+                Rule *rule) {
+  Pairs pairs;
+  for (size_t i = 0; i < particles.count(); i++) {
+    for (size_t j = i + 1; j < particles.count(); j++) {
+      if (rule(def, sphere_of(particles, i), sphere_of(particles, j))) pairs.push_back({ids[i], ids[j]});
+    }
+  }
+  return pairs;
+}
+
+Pairs all_pairs(const hg_grid_def &def, const particles::ParticleSet &particles, Rule *rule) {
+  return all_pairs(def, particles, ids_from(def.index_base, particles.count()), rule);
+}
+
+Pairs swept_pairs(const hg_grid_def &def, const particles::ParticleSet &particles, Rule *rule) {
+  if (def.periodic[0] != 0) throw std::invalid_argument("a sweep along x needs an open x axis");
+  std::vector<Extent> extents;
+  for (size_t row = 0; row < particles.count(); row++) {
+    extents.push_back(extent_of(def, sphere_of(particles, row), row));
+  }
+  std::sort(extents.begin(), extents.end(), [](const Extent &a, const Extent &b) { return a.low < b.low; });
+  const std::vector<int32_t> ids = ids_from(def.index_base, particles.count());
+  Pairs pairs;
+  for (size_t i = 0; i < extents.size(); i++) {
+    for (size_t j = i + 1; j < extents.size() && extents[j].low <= extents[i].high; j++) {
+      const auto [a, b] = std::minmax(extents[i].row, extents[j].row);
+      if (rule(def, sphere_of(particles, a), sphere_of(particles, b))) pairs.push_back({ids[a], ids[b]});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end(), pair_less);
+  return pairs;
+}
+
+std::vector<int32_t> all_in_sphere(const hg_grid_def &def, const particles::ParticleSet &particles,
+                                   const Sphere &sphere, Rule *rule) {
+  std::vector<int32_t> ids;
+  for (size_t i = 0; i < particles.count(); i++) {
+    if (rule(def, sphere, sphere_of(particles, i))) ids.push_back(static_cast<int32_t>(i) + def.index_base);
+  }
+  return ids;
+}
+
+Difference difference(const Pairs &truth, Pairs found) {
+  std::sort(found.begin(), found.end(), pair_less);
+  Difference result;
+  std::set_difference(truth.begin(), truth.end(), found.begin(), found.end(), std::back_inserter(result.missing),
+                      pair_less);
+  std::set_difference(found.begin(), found.end(), truth.begin(), truth.end(), std::back_inserter(result.extra),
+                      pair_less);
+  return result;
+}
+
+}  // namespace oracle

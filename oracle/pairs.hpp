@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The answers that the library must give, found pair by pair without it, and how an answer differs from them.
+#pragma once
+
+#include "oracle/rule.hpp"
+#include "particles/particle_set.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace oracle {
+
+using Pairs = std::vector<hg_pair>;
+
+inline bool pair_less(const hg_pair &p, const hg_pair &q) { return p.a != q.a ? p.a < q.a : p.b < q.b; }
+inline bool pair_equal(const hg_pair &p, const hg_pair &q) { return p.a == q.a && p.b == q.b; }
+
+// Pairs of rows of `particles` as ids (row + index_base), ascending, by looking at every pair.
+Pairs all_pairs(const hg_grid_def &def, const particles::ParticleSet &particles, Rule *rule);
+// The same with ids given, ascending.
+Pairs all_pairs(const hg_grid_def &def, const particles::ParticleSet &particles, const std::vector<int32_t> &ids,
+                Rule *rule);
+
+// As all_pairs, for systems where that takes too long: only pairs whose extents along x overlap are looked at. Throws
+// std::invalid_argument if x is periodic. O(N log N + candidates).
+Pairs swept_pairs(const hg_grid_def &def, const particles::ParticleSet &particles, Rule *rule);
+
+// Rows that interact with the sphere as ids (row + index_base), ascending.
+std::vector<int32_t> all_in_sphere(const hg_grid_def &def, const particles::ParticleSet &particles,
+                                   const Sphere &sphere, Rule *rule);
+
+struct Difference {
+  Pairs missing, extra;  // ascending
+  size_t count() const { return missing.size() + extra.size(); }
+};
+
+// `truth` is ascending, `found` in any order. A pair that is found twice counts as extra.
+Difference difference(const Pairs &truth, Pairs found);
+
+}  // namespace oracle

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "programs/accuracy/report/report.hpp"
+
+#include "programs/accuracy/report/convergence_table.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace accuracy {
+
+std::string report(const std::vector<Study> &studies, const std::vector<Point> &points, Style style) {
+  std::vector<Point> others;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(others), [](const Point &p) { return !has_law(p); });
+  std::string tables;
+  for (const Study &study : studies) {
+    const auto is_its = [&](const Point &point) { return point.parameter == study.name; };
+    if (std::any_of(others.begin(), others.end(), is_its)) tables += study_table(study, others, style);
+  }
+  const std::string laws = convergence_table(points, style);
+  return tables.empty() ? laws : laws + digit_cost_table(others, style) + "\n" + tables;
+}
+
+}  // namespace accuracy
