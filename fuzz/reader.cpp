@@ -3,7 +3,7 @@
 // Fuzzes the reader FUZZ_READER of particles/files: any bytes are read as particles that a grid may take, or refused
 // with a text.
 #include "fuzz/expect.hpp"
-#include "particles/error.hpp"
+#include "fuzz/refusal.hpp"
 #include "particles/files/readers.hpp"
 
 #include <cmath>
@@ -36,10 +36,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   options.dimension = data[0] % 4 == 1 ? 2 : data[0] % 4 == 2 ? 3 : 0;
   options.frame = data[0] / 4 % 4;
   const particles::TextFile file{"input", std::string(data + 1, data + size)};
-  try {
-    check(particles::FUZZ_READER(file, options));
-  } catch (const particles::Error &error) {
-    expect(error.what()[0] != '\0', "a refusal without a text");
-  }
+  fuzz::done_or_refused([&] { check(particles::FUZZ_READER(file, options)); });
   return 0;
 }

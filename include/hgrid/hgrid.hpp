@@ -140,11 +140,11 @@ class Grid {
   void clear() { check(hg_clear(get())); }
   void build() { check(hg_build(get())); }
 
-  View<hg_pair> query_pairs() { return detail::lent<hg_pair>(hg_query_pairs, get()); }
+  View<hg_pair> query_pairs() const { return detail::lent<hg_pair>(hg_query_pairs, get()); }
   // `visit` is any callable that takes a batch, as View<hg_pair> or as (const hg_pair *pairs, size_t count). It returns
   // nothing, or what is true to end the visit; what it throws also ends it, and is thrown from here.
   template <class Visit>
-  void visit_pairs(Visit &&visit) {
+  void visit_pairs(Visit &&visit) const {
     if constexpr (std::is_invocable_v<Visit &, View<hg_pair>>) {
       const auto batch = [&](const hg_pair *pairs, size_t count) { return visit(View<hg_pair>(pairs, count)); };
       detail::visit_with(batch, hg_visit_pairs, get());
@@ -152,20 +152,20 @@ class Grid {
       detail::visit_with(visit, hg_visit_pairs, get());
     }
   }
-  void visit_pairs(hg_pair_visitor *visit, void *context) { check(hg_visit_pairs(get(), visit, context)); }
-  Rows query_neighbors(int32_t list) {
+  void visit_pairs(hg_pair_visitor *visit, void *context) const { check(hg_visit_pairs(get(), visit, context)); }
+  Rows query_neighbors(int32_t list) const {
     const int64_t *offsets = nullptr;
     const int32_t *ids = nullptr;
     check(hg_query_neighbors(get(), list, &offsets, &ids));
     const auto count = static_cast<size_t>(get_stats().particle_count);
     return {{offsets, count + 1}, {ids, static_cast<size_t>(offsets[count])}};
   }
-  View<int32_t> query_sphere(const double *center, double radius) {
+  View<int32_t> query_sphere(const double *center, double radius) const {
     return detail::lent<int32_t>(hg_query_sphere, get(), center, radius);
   }
-  View<hg_level> query_levels() { return detail::lent<hg_level>(hg_query_levels, get()); }
-  View<hg_level_cost> query_level_costs() { return detail::lent<hg_level_cost>(hg_query_level_costs, get()); }
-  hg_grid_stats get_stats() {
+  View<hg_level> query_levels() const { return detail::lent<hg_level>(hg_query_levels, get()); }
+  View<hg_level_cost> query_level_costs() const { return detail::lent<hg_level_cost>(hg_query_level_costs, get()); }
+  hg_grid_stats get_stats() const {
     hg_grid_stats stats{};
     check(hg_get_stats(get(), &stats, sizeof stats));
     return stats;

@@ -3,6 +3,7 @@
 // The list is the library's, the filter plain.
 #include "programs/accuracy/kept_list.hpp"
 
+#include "particles/insert.hpp"
 #include "programs/measure/search_timer.hpp"
 
 #include <algorithm>
@@ -28,13 +29,13 @@ bool overlap(const double *x, const double *y, double reach) {
 
 KeptList::KeptList(const particles::ParticleSet &start, double margin, int interval)
     : grid_(def_of(start, margin)), interval_(interval) {
-  grid_.insert(start);
+  particles::insert(start, grid_);
   search(start);
 }
 
 void KeptList::search(const particles::ParticleSet &particles) {
-  particles::check(hg_move(grid_.get(), particles.count(), particles.centers.data(), nullptr));
-  const particles::Borrowed<hg_pair> found = grid_.pairs();
+  grid_.move(particles.count(), particles.centers.data());
+  const hgrid::View<hg_pair> found = grid_.query_pairs();
   candidates_.assign(found.begin(), found.end());
   age_ = 0;
 }

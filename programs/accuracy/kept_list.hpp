@@ -4,10 +4,9 @@
 // whatever the particles do meanwhile.
 #pragma once
 
-#include "particles/grid_handle.hpp"
 #include "particles/particle_set.hpp"
 
-#include <hgrid/hgrid.h>
+#include <hgrid/hgrid.hpp>
 
 #include <vector>
 
@@ -27,7 +26,7 @@ class KeptList {
  private:
   void search(const particles::ParticleSet &particles);
 
-  particles::Grid grid_;
+  hgrid::Grid grid_;
   int interval_, age_ = 0;
   std::vector<hg_pair> candidates_, pairs_;
 };

@@ -3,6 +3,7 @@
 // The search with each number of levels that can be reached, in turns.
 #include "programs/accuracy/level_knob.hpp"
 
+#include "particles/insert.hpp"
 #include "programs/accuracy/systems.hpp"
 #include "programs/measure/search_timer.hpp"
 
@@ -24,7 +25,7 @@ std::unique_ptr<measure::SearchTimer> timer_of(const particles::ParticleSet &par
   def.thread_count = 1;
   def.level_count = level_count;
   auto timer = std::make_unique<measure::SearchTimer>(def, particles);
-  timer->grid().insert(particles);
+  particles::insert(particles, timer->grid());
   return timer;
 }
 
@@ -32,25 +33,25 @@ Timers timers_of(const particles::ParticleSet &particles) {
   Timers timers;
   for (int count = 1; count <= kMostLevels; count++) {
     auto timer = timer_of(particles, count);
-    if (timer->grid().levels().count == static_cast<size_t>(count)) timers.push_back(std::move(timer));
+    if (timer->grid().query_levels().size() == static_cast<size_t>(count)) timers.push_back(std::move(timer));
   }
   return timers;
 }
 
 TradePoint point_of(const std::string &system, measure::SearchTimer &timer, measure::SearchTimer &best, double count) {
-  const auto levels = static_cast<double>(timer.grid().levels().count);
-  const auto best_levels = static_cast<double>(best.grid().levels().count);
+  const auto levels = static_cast<double>(timer.grid().query_levels().size());
+  const auto best_levels = static_cast<double>(best.grid().query_levels().size());
   TradePoint point;
   point.knob = "levels";
   point.system = system;
-  point.setting = std::to_string(timer.grid().levels().count) + (levels > 1 ? " levels" : " level");
+  point.setting = std::to_string(timer.grid().query_levels().size()) + (levels > 1 ? " levels" : " level");
   point.error_of = "levels off the best number";
   point.error = std::fabs(levels - best_levels) / best_levels;
   point.cost = 1e9 * timer.median_seconds() / count;
   char note[100];
   std::snprintf(note, sizeof note, "%.0f %% above the least time, %.1f candidates per particle",
                 100 * (timer.median_seconds() / best.median_seconds() - 1),
-                static_cast<double>(timer.grid().stats().candidate_count) / count);
+                static_cast<double>(timer.grid().get_stats().candidate_count) / count);
   point.note = note;
   return point;
 }
@@ -65,10 +66,10 @@ void measure_system(const std::string &system, const particles::ParticleSet &par
   }
   const auto quicker = [](const auto &a, const auto &b) { return a->median_seconds() < b->median_seconds(); };
   measure::SearchTimer &best = **std::min_element(timers.begin(), timers.end(), quicker);
-  const size_t chosen = timer_of(particles, 0)->grid().levels().count;
+  const size_t chosen = timer_of(particles, 0)->grid().query_levels().size();
   for (const auto &timer : timers) {
     points.push_back(point_of(system, *timer, best, static_cast<double>(particles.count())));
-    points.back().is_default = timer->grid().levels().count == chosen;
+    points.back().is_default = timer->grid().query_levels().size() == chosen;
   }
 }
 

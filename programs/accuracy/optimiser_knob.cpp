@@ -5,6 +5,7 @@
 #include "programs/accuracy/optimiser_knob.hpp"
 
 #include "packing/random.hpp"
+#include "particles/insert.hpp"
 #include "programs/accuracy/appendix_a.hpp"
 #include "programs/accuracy/systems.hpp"
 #include "programs/measure/search_timer.hpp"
@@ -112,7 +113,7 @@ class LibraryChoice {
     const double seconds = measure::median(asked_seconds_) - measure::median(told_seconds_);
     if (!(seconds > 0)) return std::nullopt;
     std::vector<double> edges;
-    for (const hg_level &level : asked_.levels()) edges.push_back(level.largest_radius);
+    for (const hg_level &level : asked_.query_levels()) edges.push_back(level.largest_radius);
     TradePoint point = point_with(system, name, cost_of_edges(all, edges, kPaperOverhead) / least - 1);
     point.cost = 1e9 * seconds / static_cast<double>(particles_.count());
     point.note = std::to_string(edges.size()) + " levels";
@@ -129,25 +130,25 @@ class LibraryChoice {
   }
 
   hg_grid_def told_def() {
-    asked_.insert(particles_);
-    for (const hg_level &level : asked_.levels()) cell_sizes_.push_back(level.cell_size);
+    particles::insert(particles_, asked_);
+    for (const hg_level &level : asked_.query_levels()) cell_sizes_.push_back(level.cell_size);
     hg_grid_def def = def_of(particles_, HG_LEVELS_USER);
     def.level_count = static_cast<int32_t>(cell_sizes_.size());
     def.cell_sizes = cell_sizes_.data();
     return def;
   }
 
-  double build_seconds(particles::Grid &grid) {
-    particles::check(hg_clear(grid.get()));
+  double build_seconds(hgrid::Grid &grid) {
+    grid.clear();
     return measure::seconds_of([&] {
-      grid.insert(particles_);
+      particles::insert(particles_, grid);
       grid.build();
     });
   }
 
   const particles::ParticleSet &particles_;
   std::vector<double> cell_sizes_;
-  particles::Grid asked_, told_;
+  hgrid::Grid asked_, told_;
   std::vector<double> asked_seconds_, told_seconds_;
 };
 

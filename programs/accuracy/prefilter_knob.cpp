@@ -3,6 +3,7 @@
 // Two plain loops over the same candidates. The library's own kernels have no such filter to be switched.
 #include "programs/accuracy/prefilter_knob.hpp"
 
+#include "particles/insert.hpp"
 #include "programs/accuracy/systems.hpp"
 #include "programs/measure/search_timer.hpp"
 
@@ -120,9 +121,9 @@ Candidates candidates_of(const particles::ParticleSet &input) {
   const double largest = *std::max_element(input.radii.begin(), input.radii.end());
   hg_grid_def def = measure::def_of(input);
   def.margin = 2 * largest * (std::sqrt(3.0) - 1) * (1 + 1e-9);  // the corner of the box around two reaches
-  particles::Grid grid(def);
-  grid.insert(input);
-  const particles::Borrowed<hg_pair> found = grid.pairs();
+  hgrid::Grid grid(def);
+  particles::insert(input, grid);
+  const hgrid::View<hg_pair> found = grid.query_pairs();
   Candidates result{input, {found.begin(), found.end()}};
   const std::vector<int32_t> place = places_along(result.pairs, input.count());
   for (size_t i = 0; i < place.size(); i++) {

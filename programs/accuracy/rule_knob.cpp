@@ -4,6 +4,7 @@
 #include "programs/accuracy/rule_knob.hpp"
 
 #include "oracle/particles.hpp"
+#include "particles/insert.hpp"
 #include "programs/accuracy/systems.hpp"
 #include "programs/measure/search_timer.hpp"
 
@@ -93,10 +94,10 @@ TradePoint point_of(const Kind &kind, const Rule &rule, const oracle::Difference
 }  // namespace
 
 oracle::Pairs found_pairs(const particles::ParticleSet &particles, int32_t accuracy) {
-  particles::Grid grid(def_of(particles, accuracy));
-  grid.insert(particles);
+  hgrid::Grid grid(def_of(particles, accuracy));
+  particles::insert(particles, grid);
   oracle::Pairs pairs;
-  for (const hg_pair &pair : grid.pairs()) pairs.emplace_back(pair.a, pair.b);
+  for (const hg_pair &pair : grid.query_pairs()) pairs.emplace_back(pair.a, pair.b);
   return pairs;
 }
 

@@ -3,6 +3,7 @@
 // Flights through a packing, one setting at a time: several at once would push each other out of cache.
 #include "programs/accuracy/skin_knob.hpp"
 
+#include "particles/insert.hpp"
 #include "programs/accuracy/kept_list.hpp"
 #include "programs/accuracy/systems.hpp"
 
@@ -32,20 +33,20 @@ struct Setting {
 bool less(const hg_pair &p, const hg_pair &q) { return p.a != q.a ? p.a < q.a : p.b < q.b; }
 
 // All contacts, by the expression with which the list is filtered.
-particles::Grid fresh_grid(const particles::ParticleSet &start) {
+hgrid::Grid fresh_grid(const particles::ParticleSet &start) {
   hg_grid_def def = measure::def_of(start);
   def.thread_count = 1;
   def.accuracy = HG_DOUBLE;
   def.pair_order = HG_ORDER_ID;
-  particles::Grid grid(def);
-  grid.insert(start);
+  hgrid::Grid grid(def);
+  particles::insert(start, grid);
   return grid;
 }
 
-void count_missed(const particles::ParticleSet &particles, const particles::Borrowed<hg_pair> &truth,
-                  std::vector<hg_pair> found, Missed &missed) {
+void count_missed(const particles::ParticleSet &particles, hgrid::View<hg_pair> truth, std::vector<hg_pair> found,
+                  Missed &missed) {
   std::sort(found.begin(), found.end(), less);
-  missed.contacts += truth.count;
+  missed.contacts += truth.size();
   for (const hg_pair &pair : truth) {
     if (std::binary_search(found.begin(), found.end(), pair, less)) continue;
     missed.missed++;
@@ -126,17 +127,17 @@ Missed missed_by_skin(const particles::ParticleSet &start, double skin, int step
   def.thread_count = 1;
   def.accuracy = HG_DOUBLE;
   def.skin = skin;
-  particles::Grid grid(def), fresh = fresh_grid(start);
-  grid.insert(start);
+  hgrid::Grid grid(def), fresh = fresh_grid(start);
+  particles::insert(start, grid);
   measure::Flight flight(start, kDisplacement);
   Missed missed;
   for (int step = 0; step < steps; step++) {
     flight.step();
     const particles::ParticleSet &now = flight.particles();
-    grid.move(now);
-    fresh.move(now);
-    const particles::Borrowed<hg_pair> found = grid.pairs();
-    count_missed(now, fresh.pairs(), {found.begin(), found.end()}, missed);
+    grid.move(now.count(), now.centers.data());
+    fresh.move(now.count(), now.centers.data());
+    const hgrid::View<hg_pair> found = grid.query_pairs();
+    count_missed(now, fresh.query_pairs(), {found.begin(), found.end()}, missed);
   }
   return missed;
 }
@@ -146,15 +147,15 @@ Missed missed_by_skin(const particles::ParticleSet &start, double skin, int step
 Missed missed_contacts(const particles::ParticleSet &start, double displacement, double margin, int interval,
                        int steps) {
   KeptList list(start, margin, interval);
-  particles::Grid fresh = fresh_grid(start);
+  hgrid::Grid fresh = fresh_grid(start);
   measure::Flight flight(start, displacement);
   Missed missed;
   for (int step = 0; step < steps; step++) {
     flight.step();
     const particles::ParticleSet &now = flight.particles();
     list.step(now);
-    fresh.move(now);
-    count_missed(now, fresh.pairs(), list.pairs(), missed);
+    fresh.move(now.count(), now.centers.data());
+    count_missed(now, fresh.query_pairs(), list.pairs(), missed);
   }
   return missed;
 }

@@ -3,9 +3,9 @@
 // How the library is timed: from double arrays in memory to the complete list of pairs.
 #pragma once
 
-#include "particles/grid_handle.hpp"
+#include "particles/insert.hpp"
 
-#include <hgrid/hgrid.h>
+#include <hgrid/hgrid.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -49,9 +49,9 @@ class SearchTimer {
   // The grid is cleared, so neither levels nor pairs of the last run can be reused.
   void run() {
     seconds_.push_back(seconds_of([this] {
-      particles::check(hg_clear(grid_.get()));
-      grid_.insert(*particles_);
-      pairs_ = grid_.pairs();
+      grid_.clear();
+      particles::insert(*particles_, grid_);
+      pairs_ = grid_.query_pairs();
     }));
   }
 
@@ -64,13 +64,13 @@ class SearchTimer {
     return total;
   }
   // Of the last run.
-  const particles::Borrowed<hg_pair> &pairs() const { return pairs_; }
-  particles::Grid &grid() { return grid_; }
+  hgrid::View<hg_pair> pairs() const { return pairs_; }
+  hgrid::Grid &grid() { return grid_; }
 
  private:
-  particles::Grid grid_;
+  hgrid::Grid grid_;
   const particles::ParticleSet *particles_;
-  particles::Borrowed<hg_pair> pairs_;
+  hgrid::View<hg_pair> pairs_;
   std::vector<double> seconds_;
 };
 

@@ -4,11 +4,11 @@
 #pragma once
 
 #include "packing/random.hpp"
-#include "particles/grid_handle.hpp"
+#include "particles/insert.hpp"
 #include "particles/particle_set.hpp"
 #include "programs/measure/search_timer.hpp"
 
-#include <hgrid/hgrid.h>
+#include <hgrid/hgrid.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -49,27 +49,27 @@ class Flight {
 class StepTimer {
  public:
   StepTimer(const hg_grid_def &def, const particles::ParticleSet &start) : grid_(def) {
-    grid_.insert(start);
-    pairs_ = grid_.pairs().count;
+    particles::insert(start, grid_);
+    pairs_ = grid_.query_pairs().size();
   }
 
   void step(const particles::ParticleSet &particles) {
-    const int64_t searches = grid_.stats().search_count;
+    const int64_t searches = grid_.get_stats().search_count;
     const double seconds = seconds_of([&] {
-      particles::check(hg_move(grid_.get(), particles.count(), particles.centers.data(), nullptr));
-      pairs_ = grid_.pairs().count;
+      grid_.move(particles.count(), particles.centers.data());
+      pairs_ = grid_.query_pairs().size();
     });
-    (grid_.stats().search_count > searches ? searched_ : filtered_).push_back(seconds);
+    (grid_.get_stats().search_count > searches ? searched_ : filtered_).push_back(seconds);
   }
 
   // Seconds of the steps that searched anew, and of those that filtered stored candidates.
   const std::vector<double> &searched() const { return searched_; }
   const std::vector<double> &filtered() const { return filtered_; }
   size_t pairs() const { return pairs_; }  // of the last step
-  particles::Grid &grid() { return grid_; }
+  hgrid::Grid &grid() { return grid_; }
 
  private:
-  particles::Grid grid_;
+  hgrid::Grid grid_;
   size_t pairs_ = 0;
   std::vector<double> searched_, filtered_;
 };

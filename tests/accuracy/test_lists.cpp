@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Lists that are kept for a fixed number of steps, and boxes before spheres.
+#include "particles/insert.hpp"
 #include "programs/accuracy/kept_list.hpp"
 #include "programs/accuracy/prefilter_knob.hpp"
 #include "programs/accuracy/skin_knob.hpp"
@@ -59,11 +60,11 @@ bool boxes_change_nothing() {
   for (size_t k = 0; same && k < plain.size(); k++) {
     same = plain[k].a == filtered[k].a && plain[k].b == filtered[k].b;
   }
-  particles::Grid grid(measure::def_of(candidates.particles));
-  grid.insert(candidates.particles);
+  hgrid::Grid grid(measure::def_of(candidates.particles));
+  particles::insert(candidates.particles, grid);
   const double share = static_cast<double>(filtered.size()) / static_cast<double>(tested);
   std::printf("spheres in boxes: %.4f\n", share);
-  return same && plain.size() == grid.pairs().count && std::fabs(share / (3.14159265358979 / 6) - 1) < 0.03;
+  return same && plain.size() == grid.query_pairs().size() && std::fabs(share / (3.14159265358979 / 6) - 1) < 0.03;
 }
 
 void boxes_first_change_no_pair(void **) {

@@ -23,7 +23,7 @@ void views_show_what_c_lends() {
   hgrid::Grid grid = chain();
   const hg_pair *pairs = nullptr;
   size_t count = 0;
-  require_ok(hg_query_pairs(grid.get(), &pairs, &count), "hg_query_pairs");
+  hgrid::check(hg_query_pairs(grid.get(), &pairs, &count));
   const hgrid::View<hg_pair> view = grid.query_pairs();
   require(view.data() == pairs && view.size() == count && !view.empty(), "the view is not the list of C");
   require(view.begin() == pairs && view.end() == pairs + count && &view[1] == pairs + 1, "the view's ends");
@@ -45,7 +45,7 @@ void neighbors_are_rows() {
   }
   const int64_t *offsets = nullptr;
   const int32_t *ids = nullptr;
-  require_ok(hg_query_neighbors(grid.get(), HG_FULL, &offsets, &ids), "hg_query_neighbors");
+  hgrid::check(hg_query_neighbors(grid.get(), HG_FULL, &offsets, &ids));
   const auto [row_offsets, row_ids] = grid.query_neighbors(HG_FULL);
   require(row_offsets.data() == offsets && row_ids.data() == ids, "the views are not the lists of C");
   grid.clear();

@@ -35,7 +35,7 @@ void lists_are_remembered() {
   require(restored.pairs().empty(), "a cleared history remembers");
   const hg_pair *list = nullptr;
   size_t count = 0;
-  require_ok(hg_history_pairs(history.get(), &list, &count), "hg_history_pairs");
+  hgrid::check(hg_history_pairs(history.get(), &list, &count));
   require(list == history.pairs().data() && count == 3, "the view is not the list of C");
 }
 

@@ -3,7 +3,7 @@
 // A state in float against the same in double.
 #include "programs/accuracy/simulation/float_state.hpp"
 
-#include "particles/grid_handle.hpp"
+#include "particles/insert.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,9 +38,9 @@ std::vector<hg_pair> overlapping(const particles::ParticleSet &particles) {
     def.box_max[k] = particles.box_max[k];
     def.periodic[k] = particles.periodic[k];
   }
-  particles::Grid grid(def);
-  grid.insert(particles);
-  const particles::Borrowed<hg_pair> pairs = grid.pairs();
+  hgrid::Grid grid(def);
+  particles::insert(particles, grid);
+  const hgrid::View<hg_pair> pairs = grid.query_pairs();
   return {pairs.begin(), pairs.end()};
 }
 

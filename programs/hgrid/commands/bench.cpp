@@ -3,6 +3,7 @@
 // `hgrid bench`: the time of the search for each number of levels, beside what the cost rule predicts, or that of
 // steps.
 #include "particles/error.hpp"
+#include "particles/insert.hpp"
 #include "particles/text/output.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/hgrid/commands/bench_steps.hpp"
@@ -59,8 +60,8 @@ hg_grid_def grid_def(const BenchOptions &options, const particles::ParticleSet &
 }
 
 // What the level rule expects of the number of levels that the grid has.
-std::optional<hg_level_cost> predicted_cost(particles::Grid &grid, size_t level_count) {
-  for (const hg_level_cost &cost : grid.level_costs()) {
+std::optional<hg_level_cost> predicted_cost(hgrid::Grid &grid, size_t level_count) {
+  for (const hg_level_cost &cost : grid.query_level_costs()) {
     if (cost.reachable != 0 && static_cast<size_t>(cost.level_count) == level_count) return cost;
   }
   return std::nullopt;
@@ -76,8 +77,8 @@ std::vector<Row> make_rows(const BenchOptions &options, const particles::Particl
   for (int count = 1; count <= options.most_levels; count++) {
     const hg_grid_def def = grid_def(options, particles, HG_LEVELS_AUTO, count);
     auto timer = std::make_unique<measure::SearchTimer>(def, particles);
-    timer->grid().insert(particles);
-    const size_t levels = timer->grid().levels().count;
+    particles::insert(particles, timer->grid());
+    const size_t levels = timer->grid().query_levels().size();
     if (levels != static_cast<size_t>(count)) continue;
     const std::optional<hg_level_cost> predicted = predicted_cost(timer->grid(), levels);
     rows.push_back({"asked", std::move(timer), predicted});
@@ -98,14 +99,14 @@ void run_rows(const BenchOptions &options, std::vector<Row> &rows) {
 
 Result result_of(const Row &row, size_t count) {
   const double ns = 1e9 / static_cast<double>(count);
-  particles::Grid &grid = row.timer->grid();
+  hgrid::Grid &grid = row.timer->grid();
   const std::vector<double> &seconds = row.timer->seconds();
   Result result;
-  result.pairs = row.timer->pairs().count;
-  result.levels = grid.levels().count;
+  result.pairs = row.timer->pairs().size();
+  result.levels = grid.query_levels().size();
   result.ns = row.timer->median_seconds() * ns;
   result.fastest_ns = *std::min_element(seconds.begin(), seconds.end()) * ns;
-  result.candidates = static_cast<double>(grid.stats().candidate_count) / static_cast<double>(count);
+  result.candidates = static_cast<double>(grid.get_stats().candidate_count) / static_cast<double>(count);
   result.runs = seconds.size();
   return result;
 }

@@ -28,7 +28,7 @@ Row row_of(measure::StepTimer &timer, double skin, size_t count) {
   if (filters > 0) row.filtered = measure::median(timer.filtered()) * ns;
   row.search_share = searches / (searches + filters);
   row.mean = row.search_share * row.searched + (1 - row.search_share) * row.filtered;
-  row.candidates = static_cast<double>(timer.grid().stats().stored_count) / static_cast<double>(count);
+  row.candidates = static_cast<double>(timer.grid().get_stats().stored_count) / static_cast<double>(count);
   row.pairs = timer.pairs();
   return row;
 }

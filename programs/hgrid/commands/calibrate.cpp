@@ -4,6 +4,7 @@
 #include "packing/packing.hpp"
 #include "particles/error.hpp"
 #include "particles/files/reader.hpp"
+#include "particles/insert.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/measure/least_squares.hpp"
 #include "programs/measure/search_timer.hpp"
@@ -87,9 +88,9 @@ hg_grid_def grid_def(const CalibrateOptions &options, const particles::ParticleS
 
 // The cost that the library expects of `levels` levels at these prices; negative if it cannot make as many.
 double expected_cost(hg_grid_def def, const particles::ParticleSet &particles, int levels) {
-  particles::Grid grid(def);
-  grid.insert(particles);
-  for (const hg_level_cost &cost : grid.level_costs()) {
+  hgrid::Grid grid(def);
+  particles::insert(particles, grid);
+  for (const hg_level_cost &cost : grid.query_level_costs()) {
     if (cost.level_count == levels && cost.reachable != 0) return cost.cost;
   }
   return -1;
