@@ -86,6 +86,15 @@ View<T> lent(Call call, Arguments... arguments) {
   return {data, count};
 }
 
+// The same through (const int64_t **offsets, const int32_t **ids), so many rows.
+template <class Call, class... Arguments>
+Rows lent_rows(size_t rows, Call call, Arguments... arguments) {
+  const int64_t *offsets = nullptr;
+  const int32_t *ids = nullptr;
+  check(call(arguments..., &offsets, &ids));
+  return {{offsets, rows + 1}, {ids, static_cast<size_t>(offsets[rows])}};
+}
+
 // A callable on its way through C, and what it threw there.
 template <class Visit>
 struct Visitor {
@@ -154,11 +163,7 @@ class Grid {
   }
   void visit_pairs(hg_pair_visitor *visit, void *context) const { check(hg_visit_pairs(get(), visit, context)); }
   Rows query_neighbors(int32_t list) const {
-    const int64_t *offsets = nullptr;
-    const int32_t *ids = nullptr;
-    check(hg_query_neighbors(get(), list, &offsets, &ids));
-    const auto count = static_cast<size_t>(get_stats().particle_count);
-    return {{offsets, count + 1}, {ids, static_cast<size_t>(offsets[count])}};
+    return detail::lent_rows(static_cast<size_t>(get_stats().particle_count), hg_query_neighbors, get(), list);
   }
   View<int32_t> query_sphere(const double *center, double radius) const {
     return detail::lent<int32_t>(hg_query_sphere, get(), center, radius);
