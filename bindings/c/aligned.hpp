@@ -19,7 +19,7 @@ class Aligned {
   // of the grid.
   Aligned(const Grid &grid, const char *name, const T *values, size_t count, size_t width = 1)
       : memory_(grid.allocator()), copy_(memory_), values_(values) {
-    if (count > 0) check_pointers({{values, name}});
+    if (count > 0) check_pointer(values, name);
     if (reinterpret_cast<uintptr_t>(values) % alignof(T) == 0) return;
     copy_.require(array_bytes(count, width));
     std::memcpy(copy_.data(), static_cast<const void *>(values), count * width * sizeof(T));

@@ -7,7 +7,7 @@
 #include <cstring>
 
 using hg::Aligned;
-using hg::check_pointers;
+using hg::check_pointer;
 using hg::fail;
 using hg::Grid;
 using hg::guarded;
@@ -32,7 +32,7 @@ SphereResult &sphere_result() {
 
 hg_status hg_grid_def_init(hg_grid_def *def, size_t struct_size) {
   return guarded([&] {
-    check_pointers({{def, "def"}});
+    check_pointer(def, "def");
     hg::fill_defaults(def, struct_size);
   });
 }
@@ -40,7 +40,7 @@ hg_status hg_grid_def_init(hg_grid_def *def, size_t struct_size) {
 hg_status hg_create(const hg_grid_def *def, hg_grid **grid) {
   if (grid != nullptr) *grid = nullptr;
   return guarded([&] {
-    check_pointers({{grid, "grid"}});
+    check_pointer(grid, "grid");
     hg_grid_def defaults;
     if (def == nullptr) hg::fill_defaults(&defaults, sizeof defaults);
     const hg::Definition definition = hg::check_definition(def != nullptr ? *def : defaults);

@@ -64,6 +64,10 @@ void free_object(Object *object, const hg_allocator allocator) {
   allocator.release(allocator.context, object, sizeof(Object));
 }
 
+inline void check_pointer(const void *pointer, const char *name) {
+  if (pointer == nullptr) fail(HG_ERR_NULL, "%s is NULL", name);
+}
+
 // An argument that must not be NULL: data or a function.
 struct Needed {
   template <class T>
@@ -82,7 +86,7 @@ inline void check_pointers(std::initializer_list<Needed> arguments) {
 template <class Body>
 hg_status on_grid(hg_grid *grid, std::initializer_list<Needed> arguments, Body &&body) noexcept {
   return guarded([&] {
-    check_pointers({{grid, "grid"}});
+    check_pointer(grid, "grid");
     if (grid->grid.is_visited()) fail(HG_ERR_STATE, "the grid is being visited: no call on it from its visitor");
     check_pointers(arguments);
     body(grid->grid);

@@ -8,6 +8,7 @@
 
 #include <cstring>
 
+using hg::check_pointer;
 using hg::check_pointers;
 using hg::ContactHistory;
 using hg::fail;
@@ -61,7 +62,7 @@ void carry_items(const ContactHistory &history, size_t size, const void *old_ite
 template <class Handle, class Body>
 hg_status on_history(Handle *history, Body &&body) noexcept {
   return guarded([&] {
-    check_pointers({{history, "history"}});
+    check_pointer(history, "history");
     body(history->history);
   });
 }
@@ -71,7 +72,7 @@ hg_status on_history(Handle *history, Body &&body) noexcept {
 hg_status hg_history_create(hg_history **history) {
   if (history != nullptr) *history = nullptr;
   return guarded([&] {
-    check_pointers({{history, "history"}});
+    check_pointer(history, "history");
     *history = hg::make_object<hg_history>(
         [](void *memory, const hg_allocator &allocator) { return new (memory) hg_history{ContactHistory(allocator)}; });
   });
@@ -83,8 +84,8 @@ void hg_history_destroy(hg_history *history) {
 
 hg_status hg_history_update(hg_history *history, size_t count, const hg_pair *pairs, const int64_t **previous) {
   return on_history(history, [&](ContactHistory &h) {
-    if (count > 0) check_pointers({{pairs, "pairs"}});
-    check_pointers({{previous, "previous"}});
+    if (count > 0) check_pointer(pairs, "pairs");
+    check_pointer(previous, "previous");
     h.update(count, pairs);
     *previous = count > 0 ? h.previous() : nullptr;
   });
@@ -94,8 +95,8 @@ hg_status hg_history_carry(const hg_history *history, size_t item_size, const vo
   return on_history(history, [&](const ContactHistory &h) {
     if (!h.matched()) fail(HG_ERR_STATE, "no list has been matched since the history was created, cleared or restored");
     if (item_size == 0) fail(HG_ERR_ARGUMENT, "item_size = 0: a contact's data must have at least one byte");
-    if (h.former_count() > 0) check_pointers({{old_items, "old_items"}});
-    if (h.count() > 0) check_pointers({{new_items, "new_items"}});
+    if (h.former_count() > 0) check_pointer(old_items, "old_items");
+    if (h.count() > 0) check_pointer(new_items, "new_items");
     const size_t old_bytes = hg::array_bytes(h.former_count(), item_size);
     const size_t new_bytes = hg::array_bytes(h.count(), item_size);
     if (overlap(old_items, old_bytes, new_items, new_bytes)) fail(HG_ERR_ARGUMENT, "old_items and new_items overlap");
@@ -113,7 +114,7 @@ hg_status hg_history_pairs(const hg_history *history, const hg_pair **pairs, siz
 
 hg_status hg_history_restore(hg_history *history, size_t count, const hg_pair *pairs) {
   return on_history(history, [&](ContactHistory &h) {
-    if (count > 0) check_pointers({{pairs, "pairs"}});
+    if (count > 0) check_pointer(pairs, "pairs");
     h.restore(count, pairs);
   });
 }

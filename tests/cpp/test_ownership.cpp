@@ -40,10 +40,11 @@ void moved() {
   third = std::move(second);
   require(third.get() == handle, "the handle has changed");
   std::swap(third, second);
-  std::vector<hgrid::Grid> grids;
-  for (int k = 0; k < 5; k++) grids.push_back(chain());
+  std::vector<hgrid::Grid> grids(5);
+  for (hgrid::Grid &grid : grids) grid = chain();
   grids.erase(grids.begin());
-  for (hgrid::Grid &grid : grids) require_chain(grid);
+  grids.resize(50);
+  for (size_t k = 0; k < 4; k++) require_chain(grids[k]);
   require_chain(second);
 }
 
@@ -59,8 +60,9 @@ void moved_to_itself() {
 }
 
 void empty_objects_refuse_calls() {
-  hgrid::Grid grid = chain();
-  { const hgrid::Grid gone(std::move(grid)); }
+  std::vector<hgrid::Grid> grids(1);
+  { const hgrid::Grid gone(std::move(grids[0])); }
+  hgrid::Grid &grid = grids[0];
   require(grid.get() == nullptr, "a grid that was moved from has a handle");
   require_error(HG_ERR_NULL, "grid", [&] { grid.query_pairs(); });
   require_error(HG_ERR_NULL, "grid", [&] { grid.insert(0, nullptr, nullptr); });
@@ -68,9 +70,9 @@ void empty_objects_refuse_calls() {
   require_error(HG_ERR_NULL, "grid", [&] { grid.visit_pairs([](hgrid::View<hg_pair>) {}); });
   grid = chain();
   require_chain(grid);
-  hgrid::History history;
-  const hgrid::History other(std::move(history));
-  require_error(HG_ERR_NULL, "history", [&] { history.pairs(); });
+  std::vector<hgrid::History> histories(1);
+  const hgrid::History other(std::move(histories[0]));
+  require_error(HG_ERR_NULL, "history", [&] { histories[0].pairs(); });
 }
 
 // Each request for memory is refused once.
