@@ -15,7 +15,7 @@ set(HGRID_PKGCONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 install(TARGETS hgrid EXPORT hgridTargets)
 install(FILES include/hgrid/hgrid.h include/hgrid/base.h include/hgrid/types.h include/hgrid/grid.h
-              include/hgrid/history.h ${PROJECT_BINARY_DIR}/include/hgrid/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hgrid)
+              include/hgrid/history.h include/hgrid/hgrid.hpp ${PROJECT_BINARY_DIR}/include/hgrid/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hgrid)
 install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/hgrid)
 install(EXPORT hgridTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR})
 

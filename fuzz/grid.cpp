@@ -4,11 +4,13 @@
 #include "fuzz/bytes.hpp"
 #include "fuzz/expect.hpp"
 #include "fuzz/grid_model.hpp"
+#include "tests/support/compare.hpp"
 
 #include <hgrid/hgrid.h>
 
 #include <algorithm>
-#include <memory>
+#include <functional>
+#include <optional>
 
 namespace {
 
@@ -21,15 +23,17 @@ using Particles = particles::ParticleSet;
 constexpr size_t kMostParticles = 16;  // more only cost time: every pair is decided in rational numbers
 constexpr int kMostCalls = 24;
 
-struct DestroyGrid {
-  void operator()(hg_grid *grid) const { hg_destroy(grid); }
-};
-using Grid = std::unique_ptr<hg_grid, DestroyGrid>;
-
-// A refusal must be one of those the header names, and say why.
-void expect_refusal(hg_status status) {
-  expect(status == HG_ERR_ARGUMENT || status == HG_ERR_LIMIT, "a refusal with an unexpected status");
-  expect(hg_last_error()[0] != '\0', "a refusal without a text");
+// Whether the library takes the call. A refusal must be one of those the header names, and say why.
+template <class Call>
+bool takes(Call call) {
+  try {
+    call();
+    return true;
+  } catch (const hgrid::Error &error) {
+    expect(error.status() == HG_ERR_ARGUMENT || error.status() == HG_ERR_LIMIT, "a refusal with an unexpected status");
+    expect(error.what()[0] != '\0', "a refusal without a text");
+    return false;
+  }
 }
 
 hg_grid_def draw_definition(Bytes &bytes, double (&cells)[HG_MAX_LEVELS]) {
@@ -61,8 +65,7 @@ hg_grid_def draw_definition(Bytes &bytes, double (&cells)[HG_MAX_LEVELS]) {
 
 class Session {
  public:
-  Session(Bytes &bytes, const hg_grid_def &def, Grid grid)
-      : bytes_(bytes), def_(def), model_(def), grid_(std::move(grid)) {}
+  Session(Bytes &bytes, const hg_grid_def &def) : bytes_(bytes), def_(def), model_(def), grid_(def) {}
 
   void run() {
     for (int call = 0; call < kMostCalls && !bytes_.empty(); call++) {
@@ -111,14 +114,12 @@ class Session {
       for (int k = 0; k < def_.dimension; k++) center[k] = bytes_.number();
       batch.add(center, bytes_.length());
     }
-    const hg_status status = hg_insert(grid_.get(), batch.count(), batch.centers.data(), batch.radii.data());
-    if (status != HG_OK) {
+    if (takes([&] { grid_.insert(batch.count(), batch.centers.data(), batch.radii.data()); })) {
+      expect(model_.may_take(batch), "bad particles are taken");
+      model_.insert(batch);
+    } else {
       expect(!model_.must_take(batch), "good particles are refused");
-      expect_refusal(status);
-      return;
     }
-    expect(model_.may_take(batch), "bad particles are taken");
-    model_.insert(batch);
   }
 
   void move() {
@@ -130,15 +131,12 @@ class Session {
       x = bytes_.below(2) == 0 ? bytes_.number() : x + bytes_.number();
       if (radii) moved.radii[bytes_.byte() % moved.radii.size()] = bytes_.length();
     }
-    const hg_status status =
-        hg_move(grid_.get(), moved.count(), moved.centers.data(), radii ? moved.radii.data() : nullptr);
-    if (status != HG_OK) {
+    if (takes([&] { grid_.move(moved.count(), moved.centers.data(), radii ? moved.radii.data() : nullptr); })) {
+      expect(model_.may_take(moved), "a bad move is taken");
+      model_.move(moved.centers, radii ? &moved.radii : nullptr);
+    } else {
       expect(!model_.must_take(moved), "a good move is refused");
-      expect_refusal(status);
-      return;
     }
-    expect(model_.may_take(moved), "a bad move is taken");
-    model_.move(moved.centers, radii ? &moved.radii : nullptr);
   }
 
   void remove() {
@@ -148,51 +146,43 @@ class Session {
       const bool known = bytes_.below(8) != 0 && model_.size() > 0;
       ids.push_back(known ? model_.ids()[bytes_.byte() % model_.size()] : static_cast<int8_t>(bytes_.byte()));
     }
-    const hg_status status = hg_remove(grid_.get(), ids.size(), ids.data());
+    const hg_status status = hgtest::status_of([&] { grid_.remove(ids.size(), ids.data()); });
     expect(status == HG_OK || status == HG_ERR_NOT_FOUND, "hg_remove gives an unexpected status");
     expect(model_.remove(ids) == (status == HG_OK), "hg_remove takes wrong ids, or refuses right ones");
   }
 
   void clear() {
-    expect(hg_clear(grid_.get()) == HG_OK, "hg_clear fails");
+    grid_.clear();
     model_.clear();
   }
 
   void ask_pairs() {
-    const hg_pair *pairs = nullptr;
-    size_t count = 0;
-    expect(hg_query_pairs(grid_.get(), &pairs, &count) == HG_OK, "hg_query_pairs fails");
-    const Pairs found(pairs, pairs + count);
+    const Pairs found = hgtest::pairs_of(grid_);
     expect(def_.pair_order != HG_ORDER_ID || std::is_sorted(found.begin(), found.end(), oracle::pair_less),
            "pairs do not ascend");
     model_.check_pairs(found);
   }
 
-  static int32_t collect(void *context, const hg_pair *pairs, size_t count) {
-    Pairs &all = *static_cast<Pairs *>(context);
-    all.insert(all.end(), pairs, pairs + count);
-    return 0;
-  }
-
   void visit() {
     Pairs found;
-    expect(hg_visit_pairs(grid_.get(), collect, &found) == HG_OK, "hg_visit_pairs fails");
+    grid_.visit_pairs([&](hgrid::View<hg_pair> batch) { found.insert(found.end(), batch.begin(), batch.end()); });
     model_.check_pairs(found);
   }
 
   void ask_neighbors() {
     const int32_t list = bytes_.below(2);
-    const int64_t *offsets = nullptr;
-    const int32_t *neighbors = nullptr;
-    expect(hg_query_neighbors(grid_.get(), list, &offsets, &neighbors) == HG_OK, "hg_query_neighbors fails");
+    const hgrid::Rows rows = grid_.query_neighbors(list);
+    expect(rows.size() == model_.size(), "the number of rows is wrong");
     Pairs half;
     size_t back = 0;
-    for (size_t row = 0; row < model_.size(); row++) {
-      for (int64_t k = offsets[row]; k < offsets[row + 1]; k++) {
-        expect(k == offsets[row] || neighbors[k - 1] < neighbors[k], "a row of neighbours does not ascend");
-        const int32_t id = model_.ids()[row];
-        if (neighbors[k] > id) half.push_back({id, neighbors[k]});
-        back += neighbors[k] < id ? 1 : 0;
+    for (size_t row = 0; row < rows.size(); row++) {
+      const hgrid::View<int32_t> ids = rows[row];
+      expect(std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) == ids.end(),
+             "a row of neighbours does not ascend");
+      const int32_t own = model_.ids()[row];
+      for (const int32_t id : ids) {
+        if (id > own) half.push_back({own, id});
+        back += id < own ? 1 : 0;
       }
     }
     expect(back == (list == HG_FULL ? half.size() : 0), "the two directions of neighbours do not fit");
@@ -203,35 +193,25 @@ class Session {
     double center[3];
     for (int k = 0; k < def_.dimension; k++) center[k] = bytes_.number();
     const double radius = bytes_.length();
-    const int32_t *ids = nullptr;
-    size_t count = 0;
-    const hg_status status = hg_query_sphere(grid_.get(), center, radius, &ids, &count);
-    if (status != HG_OK) {
-      expect_refusal(status);
-      return;
-    }
-    model_.check_sphere({center, radius}, ids, count);
+    takes([&] {
+      const hgrid::View<int32_t> ids = grid_.query_sphere(center, radius);
+      model_.check_sphere({center, radius}, ids.data(), ids.size());
+    });
   }
 
   void look_inside() {
-    expect(hg_build(grid_.get()) == HG_OK, "hg_build fails");
-    const hg_level *levels = nullptr;
-    const hg_level_cost *costs = nullptr;
-    size_t count = 0, cost_count = 0;
-    expect(hg_query_levels(grid_.get(), &levels, &count) == HG_OK, "hg_query_levels fails");
-    expect(hg_query_level_costs(grid_.get(), &costs, &cost_count) == HG_OK, "hg_query_level_costs fails");
+    grid_.build();
     int64_t particles = 0;
-    for (size_t h = 0; h < count; h++) particles += levels[h].particle_count;
+    for (const hg_level &level : grid_.query_levels()) particles += level.particle_count;
     expect(particles == static_cast<int64_t>(model_.size()), "the levels do not hold all particles");
-    hg_grid_stats stats;
-    expect(hg_get_stats(grid_.get(), &stats, sizeof stats) == HG_OK, "hg_get_stats fails");
-    expect(stats.particle_count == particles, "the number of particles is wrong");
+    grid_.query_level_costs();
+    expect(grid_.get_stats().particle_count == particles, "the number of particles is wrong");
   }
 
   Bytes &bytes_;
   hg_grid_def def_;
   GridModel model_;
-  Grid grid_;
+  hgrid::Grid grid_;
 };
 
 }  // namespace
@@ -240,13 +220,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   Bytes bytes(data, size);
   double cells[HG_MAX_LEVELS] = {};
   const hg_grid_def def = draw_definition(bytes, cells);
-  hg_grid *grid = nullptr;
-  const hg_status status = hg_create(&def, &grid);
-  if (status != HG_OK) {
-    expect(grid == nullptr, "a grid in spite of a refusal");
-    expect_refusal(status);
-    return 0;
-  }
-  Session(bytes, def, Grid(grid)).run();
+  std::optional<Session> session;
+  if (takes([&] { session.emplace(bytes, def); })) session->run();
   return 0;
 }

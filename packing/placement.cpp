@@ -6,9 +6,7 @@
 #include "packing/grid_def.hpp"
 #include "packing/relaxation.hpp"
 #include "particles/error.hpp"
-#include "particles/grid_handle.hpp"
-
-#include <hgrid/hgrid.h>
+#include "particles/insert.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -22,15 +20,8 @@ constexpr double kClassRatio = 2.5;
 constexpr int kMostThrows = 10000;
 constexpr int kClassSweeps = 20;
 
-bool inside_a_larger_one(particles::Grid &grid, const double *center) {
-  const int32_t *ids = nullptr;
-  size_t count = 0;
-  particles::check(hg_query_sphere(grid.get(), center, 0, &ids, &count));
-  return count > 0;
-}
-
 // The members' centres are thrown and they join `placed`, whose centres `larger` holds.
-void place_class(Thrower &thrower, particles::Grid &larger, const std::vector<double> &radii,
+void place_class(Thrower &thrower, hgrid::Grid &larger, const std::vector<double> &radii,
                  particles::ParticleSet &placed) {
   const size_t d = static_cast<size_t>(placed.dimension);
   for (const double radius : radii) {
@@ -39,7 +30,7 @@ void place_class(Thrower &thrower, particles::Grid &larger, const std::vector<do
     do {
       if (++throws > kMostThrows) throw particles::Error("no room left for a particle: lower the density");
       thrower(radius, center);
-    } while (inside_a_larger_one(larger, center));
+    } while (!larger.query_sphere(center, 0).empty());
     placed.centers.insert(placed.centers.end(), center, center + d);
     placed.radii.push_back(radius);
   }
@@ -61,8 +52,8 @@ void place_at_random(const Box &box, Arrangement arrangement, Random &random, pa
     const auto last = std::find_if(first, order.end(), [&](size_t i) { return set.radii[i] < smallest; });
     std::vector<double> radii;
     for (auto i = first; i != last; i++) radii.push_back(set.radii[*i]);
-    particles::Grid larger(def);
-    larger.insert(placed);
+    hgrid::Grid larger(def);
+    particles::insert(placed, larger);
     place_class(thrower, larger, radii, placed);
     if (last != order.end()) relax(box, kClassSweeps, nullptr, placed);
     first = last;

@@ -4,9 +4,7 @@
 #include "packing/relaxation.hpp"
 
 #include "packing/grid_def.hpp"
-#include "particles/grid_handle.hpp"
-
-#include <hgrid/hgrid.h>
+#include "particles/insert.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,13 +77,13 @@ void move(const Box &box, const std::vector<double> &steps, particles::ParticleS
 
 Overlaps relax(const Box &box, int sweeps, const SweepObserver &observe, particles::ParticleSet &set) {
   const hg_grid_def def = grid_def(box);
-  particles::Grid grid(def);
-  grid.insert(set);
+  hgrid::Grid grid(def);
+  particles::insert(set, grid);
   std::vector<double> step(set.centers.size());
   for (int sweep = 0;; sweep++) {
     Overlaps found;
     std::fill(step.begin(), step.end(), 0.0);
-    for (const hg_pair &pair : grid.pairs()) {
+    for (const hg_pair &pair : grid.query_pairs()) {
       const Contact contact = contact_of(box, set, pair);
       const double relative = contact.overlap / std::min(set.radii[contact.i], set.radii[contact.j]);
       found.contacts++;
@@ -97,7 +95,7 @@ Overlaps relax(const Box &box, int sweeps, const SweepObserver &observe, particl
     if (observe) observe(sweep, found);
     if (sweep == sweeps || found.contacts == 0) return found;
     move(box, step, set);
-    grid.move(set);
+    grid.move(set.count(), set.centers.data(), set.radii.data());
   }
 }
 

@@ -3,6 +3,8 @@
 // The one exception of all that stands on the library: a text ready to be shown after the name of a program.
 #pragma once
 
+#include <hgrid/hgrid.hpp>
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -17,5 +19,11 @@ class Error : public std::runtime_error {
   Error(const std::string &file, size_t line, const std::string &message)
       : std::runtime_error(file + ":" + (line > 0 ? std::to_string(line) + ":" : "") + " " + message) {}
 };
+
+// What an exception says to the user: a failure of the library also tells its status.
+inline std::string message_of(const std::exception &error) {
+  const auto *failure = dynamic_cast<const hgrid::Error *>(&error);
+  return (failure != nullptr ? hg_status_string(failure->status()) + std::string(": ") : "") + error.what();
+}
 
 }  // namespace particles

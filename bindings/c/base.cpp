@@ -63,9 +63,9 @@ void hg_version(int *major, int *minor, int *patch) {
 hg_status hg_set_allocator(const hg_allocator *allocator) {
   return hg::guarded([&] {
     if (allocator != nullptr) {
-      if (allocator->allocate == nullptr) hg::fail(HG_ERR_NULL, "allocator->allocate is NULL");
-      if (allocator->reallocate == nullptr) hg::fail(HG_ERR_NULL, "allocator->reallocate is NULL");
-      if (allocator->release == nullptr) hg::fail(HG_ERR_NULL, "allocator->release is NULL");
+      hg::check_pointers({{allocator->allocate, "allocator->allocate"},
+                          {allocator->reallocate, "allocator->reallocate"},
+                          {allocator->release, "allocator->release"}});
     }
     const std::lock_guard lock(hg::allocator_mutex);
     hg::allocator_of_new_grids = allocator != nullptr ? *allocator : hg::system_allocator();

@@ -60,56 +60,42 @@ void hg_destroy(hg_grid *grid) {
 }
 
 hg_status hg_insert(hg_grid *grid, size_t count, const double *centers, const double *radii) {
-  return on_grid(grid, [&](Grid &g) {
-    if (count > 0) check_pointer(centers, "centers");
-    if (count > 0) check_pointer(radii, "radii");
-    const Aligned<double> x(g.allocator(), centers, count, g.dimension()), r(g.allocator(), radii, count);
+  return on_grid(grid, {}, [&](Grid &g) {
+    const Aligned<double> x(g, "centers", centers, count, g.dimension()), r(g, "radii", radii, count);
     g.insert(count, x.get(), r.get());
   });
 }
 
 hg_status hg_move(hg_grid *grid, size_t count, const double *centers, const double *radii) {
-  return on_grid(grid, [&](Grid &g) {
-    if (count > 0) check_pointer(centers, "centers");
-    const Aligned<double> x(g.allocator(), centers, count, g.dimension()), r(g.allocator(), radii, count);
+  return on_grid(grid, {}, [&](Grid &g) {
+    const Aligned<double> x(g, "centers", centers, count, g.dimension());
+    const Aligned<double> r(g, "radii", radii, radii != nullptr ? count : 0);
     g.move(count, x.get(), r.get());
   });
 }
 
 hg_status hg_remove(hg_grid *grid, size_t count, const int32_t *ids) {
-  return on_grid(grid, [&](Grid &g) {
-    if (count > 0) check_pointer(ids, "ids");
-    g.remove(count, Aligned<int32_t>(g.allocator(), ids, count).get());
-  });
+  return on_grid(grid, {}, [&](Grid &g) { g.remove(count, Aligned<int32_t>(g, "ids", ids, count).get()); });
 }
 
 hg_status hg_clear(hg_grid *grid) {
-  return on_grid(grid, [](Grid &g) { g.clear(); });
+  return on_grid(grid, {}, [](Grid &g) { g.clear(); });
 }
 
 hg_status hg_build(hg_grid *grid) {
-  return on_grid(grid, [](Grid &g) { g.build(); });
+  return on_grid(grid, {}, [](Grid &g) { g.build(); });
 }
 
 hg_status hg_query_pairs(hg_grid *grid, const hg_pair **pairs, size_t *count) {
-  return on_grid(grid, [&](Grid &g) {
-    check_pointer(pairs, "pairs");
-    check_pointer(count, "count");
-    g.query_pairs(pairs, count);
-  });
+  return on_grid(grid, {{pairs, "pairs"}, {count, "count"}}, [&](Grid &g) { g.query_pairs(pairs, count); });
 }
 
 hg_status hg_visit_pairs(hg_grid *grid, hg_pair_visitor *visit, void *context) {
-  return on_grid(grid, [&](Grid &g) {
-    if (visit == nullptr) fail(HG_ERR_NULL, "visit is NULL");
-    g.visit_pairs(visit, context);
-  });
+  return on_grid(grid, {{visit, "visit"}}, [&](Grid &g) { g.visit_pairs(visit, context); });
 }
 
 hg_status hg_query_neighbors(hg_grid *grid, int32_t list, const int64_t **offsets, const int32_t **neighbors) {
-  return on_grid(grid, [&](Grid &g) {
-    check_pointer(offsets, "offsets");
-    check_pointer(neighbors, "neighbors");
+  return on_grid(grid, {{offsets, "offsets"}, {neighbors, "neighbors"}}, [&](Grid &g) {
     if (list != HG_HALF && list != HG_FULL) {
       fail(HG_ERR_ARGUMENT, "list = %d is neither HG_HALF nor HG_FULL", static_cast<int>(list));
     }
@@ -118,11 +104,8 @@ hg_status hg_query_neighbors(hg_grid *grid, int32_t list, const int64_t **offset
 }
 
 hg_status hg_query_sphere(hg_grid *grid, const double *center, double radius, const int32_t **ids, size_t *count) {
-  return on_grid(grid, [&](Grid &g) {
-    check_pointer(center, "center");
-    check_pointer(ids, "ids");
-    check_pointer(count, "count");
-    const Aligned<double> x(g.allocator(), center, 1, g.dimension());
+  return on_grid(grid, {{center, "center"}, {ids, "ids"}, {count, "count"}}, [&](Grid &g) {
+    const Aligned<double> x(g, "center", center, 1, g.dimension());
     hg::SphereResult &result = hg::sphere_result();
     const size_t found = hg::query_sphere(g.built(), {x.get(), radius}, result.ids);
     *ids = found == 0 ? nullptr : result.ids.data();
@@ -131,24 +114,15 @@ hg_status hg_query_sphere(hg_grid *grid, const double *center, double radius, co
 }
 
 hg_status hg_query_levels(hg_grid *grid, const hg_level **levels, size_t *count) {
-  return on_grid(grid, [&](Grid &g) {
-    check_pointer(levels, "levels");
-    check_pointer(count, "count");
-    g.query_levels(levels, count);
-  });
+  return on_grid(grid, {{levels, "levels"}, {count, "count"}}, [&](Grid &g) { g.query_levels(levels, count); });
 }
 
 hg_status hg_query_level_costs(hg_grid *grid, const hg_level_cost **costs, size_t *count) {
-  return on_grid(grid, [&](Grid &g) {
-    check_pointer(costs, "costs");
-    check_pointer(count, "count");
-    g.query_level_costs(costs, count);
-  });
+  return on_grid(grid, {{costs, "costs"}, {count, "count"}}, [&](Grid &g) { g.query_level_costs(costs, count); });
 }
 
 hg_status hg_get_stats(hg_grid *grid, hg_grid_stats *stats, size_t struct_size) {
-  return on_grid(grid, [&](Grid &g) {
-    check_pointer(stats, "stats");
+  return on_grid(grid, {{stats, "stats"}}, [&](Grid &g) {
     if (struct_size == 0 || struct_size > sizeof(hg_grid_stats)) {
       fail(HG_ERR_ARGUMENT, "struct_size = %zu: this library knows up to %zu", struct_size, sizeof(hg_grid_stats));
     }

@@ -8,6 +8,7 @@
 
 #include <hgrid/grid.h>
 
+#include <initializer_list>
 #include <new>
 
 struct hg_grid {
@@ -67,12 +68,27 @@ inline void check_pointer(const void *pointer, const char *name) {
   if (pointer == nullptr) fail(HG_ERR_NULL, "%s is NULL", name);
 }
 
-// Runs `body` on a grid that may be used now.
+// An argument that must not be NULL: data or a function.
+struct Needed {
+  template <class T>
+  Needed(T *pointer, const char *argument) : missing(pointer == nullptr), name(argument) {}
+  bool missing;
+  const char *name;
+};
+
+inline void check_pointers(std::initializer_list<Needed> arguments) {
+  for (const Needed &argument : arguments) {
+    if (argument.missing) fail(HG_ERR_NULL, "%s is NULL", argument.name);
+  }
+}
+
+// Runs `body` on a grid that may be used now, with these arguments.
 template <class Body>
-hg_status on_grid(hg_grid *grid, Body &&body) noexcept {
+hg_status on_grid(hg_grid *grid, std::initializer_list<Needed> arguments, Body &&body) noexcept {
   return guarded([&] {
     check_pointer(grid, "grid");
     if (grid->grid.is_visited()) fail(HG_ERR_STATE, "the grid is being visited: no call on it from its visitor");
+    check_pointers(arguments);
     body(grid->grid);
   });
 }

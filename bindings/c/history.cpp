@@ -9,6 +9,7 @@
 #include <cstring>
 
 using hg::check_pointer;
+using hg::check_pointers;
 using hg::ContactHistory;
 using hg::fail;
 using hg::guarded;
@@ -57,6 +58,15 @@ void carry_items(const ContactHistory &history, size_t size, const void *old_ite
   }
 }
 
+// Runs `body` on a history, constant or not.
+template <class Handle, class Body>
+hg_status on_history(Handle *history, Body &&body) noexcept {
+  return guarded([&] {
+    check_pointer(history, "history");
+    body(history->history);
+  });
+}
+
 }  // namespace
 
 hg_status hg_history_create(hg_history **history) {
@@ -73,19 +83,16 @@ void hg_history_destroy(hg_history *history) {
 }
 
 hg_status hg_history_update(hg_history *history, size_t count, const hg_pair *pairs, const int64_t **previous) {
-  return guarded([&] {
-    check_pointer(history, "history");
+  return on_history(history, [&](ContactHistory &h) {
     if (count > 0) check_pointer(pairs, "pairs");
     check_pointer(previous, "previous");
-    history->history.update(count, pairs);
-    *previous = count > 0 ? history->history.previous() : nullptr;
+    h.update(count, pairs);
+    *previous = count > 0 ? h.previous() : nullptr;
   });
 }
 
 hg_status hg_history_carry(const hg_history *history, size_t item_size, const void *old_items, void *new_items) {
-  return guarded([&] {
-    check_pointer(history, "history");
-    const ContactHistory &h = history->history;
+  return on_history(history, [&](const ContactHistory &h) {
     if (!h.matched()) fail(HG_ERR_STATE, "no list has been matched since the history was created, cleared or restored");
     if (item_size == 0) fail(HG_ERR_ARGUMENT, "item_size = 0: a contact's data must have at least one byte");
     if (h.former_count() > 0) check_pointer(old_items, "old_items");
@@ -98,26 +105,20 @@ hg_status hg_history_carry(const hg_history *history, size_t item_size, const vo
 }
 
 hg_status hg_history_pairs(const hg_history *history, const hg_pair **pairs, size_t *count) {
-  return guarded([&] {
-    check_pointer(history, "history");
-    check_pointer(pairs, "pairs");
-    check_pointer(count, "count");
-    *count = history->history.count();
-    *pairs = *count > 0 ? history->history.pairs() : nullptr;
+  return on_history(history, [&](const ContactHistory &h) {
+    check_pointers({{pairs, "pairs"}, {count, "count"}});
+    *count = h.count();
+    *pairs = *count > 0 ? h.pairs() : nullptr;
   });
 }
 
 hg_status hg_history_restore(hg_history *history, size_t count, const hg_pair *pairs) {
-  return guarded([&] {
-    check_pointer(history, "history");
+  return on_history(history, [&](ContactHistory &h) {
     if (count > 0) check_pointer(pairs, "pairs");
-    history->history.restore(count, pairs);
+    h.restore(count, pairs);
   });
 }
 
 hg_status hg_history_clear(hg_history *history) {
-  return guarded([&] {
-    check_pointer(history, "history");
-    history->history.restore(0, nullptr);
-  });
+  return on_history(history, [](ContactHistory &h) { h.restore(0, nullptr); });
 }

@@ -4,13 +4,15 @@
 !> How failures reach the caller: in the optional argument err, or, without it, by stopping the
 !> program.
 module hgrid_error
-    use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_int32_t, c_ptr, c_size_t
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int32_t, c_ptr, &
+        c_size_t
     use, intrinsic :: iso_fortran_env, only: error_unit
-    use hgrid_c, only: HG_OK, c_hg_last_error, c_hg_status_string
+    use hgrid_types, only: c_hg_last_error, c_hg_status_string, HG_ERR_NULL, HG_ERR_STATE, HG_OK
     implicit none
     private
 
-    public :: hg_error, hg_status_string, number_text, raise, settle, shape_text
+    public :: hg_error, hg_status_string, number_text, raise, refuse_copies, settle, settle_on
+    public :: shape_text
 
     !> What the optional last argument of each call returns: HG_OK and an empty message, or what
     !> went wrong.
@@ -36,7 +38,6 @@ contains
         integer(c_int32_t), intent(in) :: status
         !> Name of the Fortran call
         character(len=*), intent(in) :: caller
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
         if (status /= HG_OK) then
@@ -46,6 +47,39 @@ contains
             err%message = ''
         end if
     end subroutine settle
+
+    !> Ends a call on a C object, which may never have been created.
+    subroutine settle_on(what, handle, status, caller, err)
+        !> The object: grid or history
+        character(len=*), intent(in) :: what
+        type(c_ptr), intent(in) :: handle
+        !> What the C call returned
+        integer(c_int32_t), intent(in) :: status
+        !> Name of the Fortran call
+        character(len=*), intent(in) :: caller
+        type(hg_error), intent(out), optional :: err
+
+        if (c_associated(handle)) then
+            call settle(status, caller, err)
+        else
+            call raise(HG_ERR_NULL, &
+                caller//': the '//what//' was not created, call create first', err)
+        end if
+    end subroutine settle_on
+
+    !> Two copies would free the same memory twice; only objects that were never created may be
+    !> assigned.
+    subroutine refuse_copies(what, left, right)
+        !> The objects: grid or history
+        character(len=*), intent(in) :: what
+        !> The C objects of both sides of an assignment
+        type(c_ptr), intent(in) :: left, right
+
+        if (c_associated(left) .or. c_associated(right)) then
+            call raise(HG_ERR_STATE, &
+                'an hg_'//what//' cannot be copied: pass it as an argument instead')
+        end if
+    end subroutine refuse_copies
 
     !> Reports a failure.
     subroutine raise(code, message, err)

@@ -5,17 +5,18 @@
 module hgrid_history
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_float, &
         c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
-    use hgrid_c, only: c_hg_history_carry, c_hg_history_clear, c_hg_history_create, &
-        c_hg_history_destroy, c_hg_history_pairs, c_hg_history_restore, c_hg_history_update, &
-        HG_ERR_ARGUMENT, HG_ERR_NULL, HG_ERR_STATE, HG_OK
-    use hgrid_error, only: hg_error, number_text, raise, settle, shape_text
+    use hgrid_error, only: hg_error, number_text, raise, refuse_copies, settle, settle_on, &
+        shape_text
+    use hgrid_types, only: HG_ERR_ARGUMENT, HG_OK
     implicit none
     private
 
+    public :: c_hg_history_carry, c_hg_history_clear, c_hg_history_create, c_hg_history_destroy
+    public :: c_hg_history_pairs, c_hg_history_restore, c_hg_history_update
     public :: hg_history
 
-    !> The list of pairs of the last step, and how a new one follows from it. It frees itself when it
-    !> goes out of scope.
+    !> The list of pairs of the last step, and how a new one follows from it. It frees itself when
+    !> it goes out of scope.
     type :: hg_history
         private
         type(c_ptr) :: handle = c_null_ptr
@@ -24,12 +25,12 @@ module hgrid_history
         private
         procedure :: carry_real64, carry_real64_rows, carry_real32, carry_real32_rows
         procedure :: carry_int32, carry_int32_rows
-        procedure :: carry_memory, conclude, misfit
         procedure, pass(self) :: refuse_copy
         procedure, public :: create
         procedure, public :: destroy
         procedure, public :: update
-        !> carry(old, new): real64, real32 or int32, (count) or (rows, count)
+        !> carry(old, new): data of the list before in the order of the last one, zero where a
+        !> contact is new; real64, real32 or int32, (count) or (rows, count)
         generic, public :: carry => carry_real64, carry_real64_rows, carry_real32, &
             carry_real32_rows, carry_int32, carry_int32_rows
         procedure, public :: pairs => remembered_pairs
@@ -39,6 +40,72 @@ module hgrid_history
         final :: finish
     end type hg_history
 
+    interface
+        function c_hg_history_create(history) bind(c, name='hg_history_create') result(status)
+            import
+            !> The new history, null on failure
+            type(c_ptr), intent(out) :: history
+            integer(c_int32_t) :: status
+        end function c_hg_history_create
+
+        subroutine c_hg_history_destroy(history) bind(c, name='hg_history_destroy')
+            import
+            !> The history; null is fine
+            type(c_ptr), value :: history
+        end subroutine c_hg_history_destroy
+
+        function c_hg_history_update(history, count, pairs, previous) &
+            bind(c, name='hg_history_update') result(status)
+            import
+            type(c_ptr), value :: history
+            integer(c_size_t), value :: count
+            !> hg_pair[count]
+            type(c_ptr), value :: pairs
+            !> int64_t[count], borrowed: places from 0, -1 for pairs that are new
+            type(c_ptr), intent(out) :: previous
+            integer(c_int32_t) :: status
+        end function c_hg_history_update
+
+        function c_hg_history_carry(history, item_size, old_items, new_items) &
+            bind(c, name='hg_history_carry') result(status)
+            import
+            type(c_ptr), value :: history
+            !> Bytes for one contact
+            integer(c_size_t), value :: item_size
+            !> One item for each pair of the list before
+            type(c_ptr), value :: old_items
+            !> One item for each pair of the last list
+            type(c_ptr), value :: new_items
+            integer(c_int32_t) :: status
+        end function c_hg_history_carry
+
+        function c_hg_history_pairs(history, pairs, count) bind(c, name='hg_history_pairs') &
+            result(status)
+            import
+            type(c_ptr), value :: history
+            !> hg_pair[count], borrowed
+            type(c_ptr), intent(out) :: pairs
+            integer(c_size_t), intent(out) :: count
+            integer(c_int32_t) :: status
+        end function c_hg_history_pairs
+
+        function c_hg_history_restore(history, count, pairs) bind(c, name='hg_history_restore') &
+            result(status)
+            import
+            type(c_ptr), value :: history
+            integer(c_size_t), value :: count
+            !> hg_pair[count]
+            type(c_ptr), value :: pairs
+            integer(c_int32_t) :: status
+        end function c_hg_history_restore
+
+        function c_hg_history_clear(history) bind(c, name='hg_history_clear') result(status)
+            import
+            type(c_ptr), value :: history
+            integer(c_int32_t) :: status
+        end function c_hg_history_clear
+    end interface
+
     ! What pointers show when the list is empty: a Fortran result must be associated.
     integer(c_int32_t), target :: no_pairs(2, 0)
 
@@ -46,9 +113,7 @@ contains
 
     !> A history that remembers an empty list; a former one is destroyed.
     subroutine create(self, err)
-        !> The history
         class(hg_history), intent(inout) :: self
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
         type(c_ptr) :: created
@@ -64,7 +129,6 @@ contains
 
     !> Frees the history; one that was never created is fine.
     subroutine destroy(self)
-        !> The history
         class(hg_history), intent(inout) :: self
 
         call c_hg_history_destroy(self%handle)
@@ -74,7 +138,6 @@ contains
     end subroutine destroy
 
     impure elemental subroutine finish(self)
-        !> The history
         type(hg_history), intent(inout) :: self
 
         call self%destroy()
@@ -82,13 +145,11 @@ contains
 
     !> Matches a list of pairs to the one before, and remembers it instead.
     subroutine update(self, pairs, previous, err)
-        !> The history
         class(hg_history), intent(inout) :: self
         !> (2, count), in any order, none twice
         integer(c_int32_t), intent(in), contiguous, target :: pairs(:, :)
         !> (count): place of each pair in the former list, from 1; 0 if it was not there
         integer(c_int64_t), intent(inout), allocatable :: previous(:)
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
         integer(c_int64_t), pointer :: places(:)
@@ -96,7 +157,7 @@ contains
         integer(c_int32_t) :: status
         type(c_ptr) :: memory
 
-        if (self%misfit(pairs, 'update', err)) return
+        if (misfit(self, pairs, 'update', err)) return
         count = size(pairs, 2, c_size_t)
         status = c_hg_history_update(self%handle, count, c_loc(pairs), memory)
         if (status == HG_OK) then
@@ -111,16 +172,14 @@ contains
             self%former_count = self%count
             self%count = count
         end if
-        call self%conclude(status, 'update', err)
+        call conclude(self, status, 'update', err)
     end subroutine update
 
     !> The remembered list, for example for a checkpoint.
     subroutine remembered_pairs(self, pairs, err)
-        !> The history
         class(hg_history), intent(in) :: self
         !> (2, count); memory of the history, to be read before it changes
         integer(c_int32_t), pointer, intent(out) :: pairs(:, :)
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
         type(c_ptr) :: memory
@@ -133,127 +192,98 @@ contains
             pairs => no_pairs
             if (count > 0) call c_f_pointer(memory, pairs, [2_c_size_t, count])
         end if
-        call self%conclude(status, 'pairs', err)
+        call conclude(self, status, 'pairs', err)
     end subroutine remembered_pairs
 
     !> Remembers a list without matching it, for example that of a checkpoint.
     subroutine restore(self, pairs, err)
-        !> The history
         class(hg_history), intent(inout) :: self
         !> (2, count), in any order, none twice
         integer(c_int32_t), intent(in), contiguous, target :: pairs(:, :)
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
         integer(c_int32_t) :: status
 
-        if (self%misfit(pairs, 'restore', err)) return
+        if (misfit(self, pairs, 'restore', err)) return
         status = c_hg_history_restore(self%handle, size(pairs, 2, c_size_t), c_loc(pairs))
         if (status == HG_OK) self%count = size(pairs, 2, c_size_t)
-        call self%conclude(status, 'restore', err)
+        call conclude(self, status, 'restore', err)
     end subroutine restore
 
     !> Remembers an empty list.
     subroutine clear(self, err)
-        !> The history
         class(hg_history), intent(inout) :: self
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
         integer(c_int32_t) :: status
 
         status = c_hg_history_clear(self%handle)
         if (status == HG_OK) self%count = 0
-        call self%conclude(status, 'clear', err)
+        call conclude(self, status, 'clear', err)
     end subroutine clear
 
     subroutine carry_real64(self, old, new, err)
-        !> The history
         class(hg_history), intent(in) :: self
-        !> (count of the list before)
         real(c_double), intent(in), contiguous, target :: old(:)
-        !> (count of the last list): zero where a contact is new
         real(c_double), intent(out), contiguous, target :: new(:)
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
-        call self%carry_memory(c_sizeof(0.0_c_double), c_loc(old), shape(old, c_size_t), &
+        call carry_memory(self, c_sizeof(0.0_c_double), c_loc(old), shape(old, c_size_t), &
             c_loc(new), shape(new, c_size_t), err)
     end subroutine carry_real64
 
     subroutine carry_real64_rows(self, old, new, err)
-        !> The history
         class(hg_history), intent(in) :: self
-        !> (rows, count of the list before)
         real(c_double), intent(in), contiguous, target :: old(:, :)
-        !> (rows, count of the last list): zero where a contact is new
         real(c_double), intent(out), contiguous, target :: new(:, :)
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
-        call self%carry_memory(c_sizeof(0.0_c_double), c_loc(old), shape(old, c_size_t), &
+        call carry_memory(self, c_sizeof(0.0_c_double), c_loc(old), shape(old, c_size_t), &
             c_loc(new), shape(new, c_size_t), err)
     end subroutine carry_real64_rows
 
     subroutine carry_real32(self, old, new, err)
-        !> The history
         class(hg_history), intent(in) :: self
-        !> (count of the list before)
         real(c_float), intent(in), contiguous, target :: old(:)
-        !> (count of the last list): zero where a contact is new
         real(c_float), intent(out), contiguous, target :: new(:)
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
-        call self%carry_memory(c_sizeof(0.0_c_float), c_loc(old), shape(old, c_size_t), &
+        call carry_memory(self, c_sizeof(0.0_c_float), c_loc(old), shape(old, c_size_t), &
             c_loc(new), shape(new, c_size_t), err)
     end subroutine carry_real32
 
     subroutine carry_real32_rows(self, old, new, err)
-        !> The history
         class(hg_history), intent(in) :: self
-        !> (rows, count of the list before)
         real(c_float), intent(in), contiguous, target :: old(:, :)
-        !> (rows, count of the last list): zero where a contact is new
         real(c_float), intent(out), contiguous, target :: new(:, :)
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
-        call self%carry_memory(c_sizeof(0.0_c_float), c_loc(old), shape(old, c_size_t), &
+        call carry_memory(self, c_sizeof(0.0_c_float), c_loc(old), shape(old, c_size_t), &
             c_loc(new), shape(new, c_size_t), err)
     end subroutine carry_real32_rows
 
     subroutine carry_int32(self, old, new, err)
-        !> The history
         class(hg_history), intent(in) :: self
-        !> (count of the list before)
         integer(c_int32_t), intent(in), contiguous, target :: old(:)
-        !> (count of the last list): zero where a contact is new
         integer(c_int32_t), intent(out), contiguous, target :: new(:)
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
-        call self%carry_memory(c_sizeof(0_c_int32_t), c_loc(old), shape(old, c_size_t), &
+        call carry_memory(self, c_sizeof(0_c_int32_t), c_loc(old), shape(old, c_size_t), &
             c_loc(new), shape(new, c_size_t), err)
     end subroutine carry_int32
 
     subroutine carry_int32_rows(self, old, new, err)
-        !> The history
         class(hg_history), intent(in) :: self
-        !> (rows, count of the list before)
         integer(c_int32_t), intent(in), contiguous, target :: old(:, :)
-        !> (rows, count of the last list): zero where a contact is new
         integer(c_int32_t), intent(out), contiguous, target :: new(:, :)
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
-        call self%carry_memory(c_sizeof(0_c_int32_t), c_loc(old), shape(old, c_size_t), &
+        call carry_memory(self, c_sizeof(0_c_int32_t), c_loc(old), shape(old, c_size_t), &
             c_loc(new), shape(new, c_size_t), err)
     end subroutine carry_int32_rows
 
     !> What all kinds of carry have in common.
     subroutine carry_memory(self, number_size, old, old_shape, new, new_shape, err)
-        !> The history
         class(hg_history), intent(in) :: self
         !> Bytes of one number
         integer(c_size_t), intent(in) :: number_size
@@ -265,7 +295,6 @@ contains
         type(c_ptr), intent(in) :: new
         !> As old_shape
         integer(c_size_t), intent(in) :: new_shape(:)
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
         character(len=:), allocatable :: shapes
@@ -289,50 +318,35 @@ contains
                 return
             end if
         end if
-        call self%conclude(c_hg_history_carry(self%handle, item_size, old, new), 'carry', err)
+        call conclude(self, c_hg_history_carry(self%handle, item_size, old, new), 'carry', err)
     end subroutine carry_memory
 
-    !> Two copies would free the same memory twice; only histories that were never created may be
-    !> assigned.
     impure elemental subroutine refuse_copy(left, self)
-        !> Left side of the assignment
         class(hg_history), intent(inout) :: left
-        !> Right side of the assignment
         class(hg_history), intent(in) :: self
 
-        if (c_associated(left%handle) .or. c_associated(self%handle)) then
-            call raise(HG_ERR_STATE, &
-                'an hg_history cannot be copied: pass it as an argument instead')
-        end if
+        call refuse_copies('history', left%handle, self%handle)
     end subroutine refuse_copy
 
     !> Ends a call on the C history.
     subroutine conclude(self, status, caller, err)
-        !> The history
         class(hg_history), intent(in) :: self
         !> What the C call returned
         integer(c_int32_t), intent(in) :: status
         !> Name of the Fortran call
         character(len=*), intent(in) :: caller
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
 
-        if (c_associated(self%handle)) then
-            call settle(status, caller, err)
-        else
-            call raise(HG_ERR_NULL, caller//': the history was not created, call create first', err)
-        end if
+        call settle_on('history', self%handle, status, caller, err)
     end subroutine conclude
 
     !> Whether pairs has another shape than (2, count); then the failure has been reported.
     function misfit(self, pairs, caller, err) result(wrong)
-        !> The history
         class(hg_history), intent(in) :: self
         !> What was given
         integer(c_int32_t), intent(in) :: pairs(:, :)
         !> Name of the Fortran call
         character(len=*), intent(in) :: caller
-        !> Absent and failing: the program stops
         type(hg_error), intent(out), optional :: err
         logical :: wrong
 

@@ -1,13 +1,99 @@
 ! SPDX-FileCopyrightText: The libhgrid developers
 ! SPDX-License-Identifier: BSD-3-Clause
 
-!> The calls that read a grid.
-submodule(hgrid) hgrid_queries
-    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_size_t
-    use hgrid_c, only: c_hg_query_level_costs, c_hg_query_levels, c_hg_query_neighbors, &
-        c_hg_query_pairs, c_hg_query_sphere
-    use hgrid_visit, only: visit_with_object, visit_with_procedure
+!> The calls that read a grid. A new query is all in this file: the C call, the name, the procedure.
+module hgrid_queries
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_float, &
+        c_int32_t, c_int64_t, c_ptr, c_size_t, c_sizeof
+    use hgrid_error, only: hg_error, number_text, raise, shape_text
+    use hgrid_handle, only: c_hg_get_stats, conclude, dimension_of, handle_of
+    use hgrid_particles, only: hg_particles
+    use hgrid_types, only: hg_grid_stats, hg_level, hg_level_cost, HG_ERR_ARGUMENT, HG_OK
+    use hgrid_visit, only: hg_pair_procedure, hg_pair_visitor, visit_with_object, &
+        visit_with_procedure
     implicit none
+    private
+
+    public :: c_hg_query_level_costs, c_hg_query_levels, c_hg_query_neighbors, c_hg_query_pairs
+    public :: c_hg_query_sphere
+    public :: hg_grid
+
+    !> A grid: particles, and the search for pairs among them. It frees itself when it goes out of
+    !> scope.
+    type, extends(hg_particles) :: hg_grid
+    contains
+        private
+        procedure :: query_sphere_real64, query_sphere_real32
+        procedure :: visit_pairs_object, visit_pairs_procedure
+        procedure, public :: query_pairs
+        !> visit_pairs(visit), visit_pairs(visitor): a function, or an object that extends
+        !> hg_pair_visitor
+        generic, public :: visit_pairs => visit_pairs_procedure, visit_pairs_object
+        procedure, public :: query_neighbors
+        !> query_sphere(center, radius, ids): the particles that a sphere overlaps
+        generic, public :: query_sphere => query_sphere_real64, query_sphere_real32
+        procedure, public :: query_levels
+        procedure, public :: query_level_costs
+        procedure, public :: get_stats
+    end type hg_grid
+
+    interface
+        function c_hg_query_pairs(grid, pairs, count) bind(c, name='hg_query_pairs') result(status)
+            import
+            type(c_ptr), value :: grid
+            !> hg_pair[count], borrowed
+            type(c_ptr), intent(out) :: pairs
+            integer(c_size_t), intent(out) :: count
+            integer(c_int32_t) :: status
+        end function c_hg_query_pairs
+
+        function c_hg_query_neighbors(grid, list, offsets, neighbors) &
+            bind(c, name='hg_query_neighbors') result(status)
+            import
+            type(c_ptr), value :: grid
+            !> HG_HALF or HG_FULL
+            integer(c_int32_t), value :: list
+            !> int64_t[N + 1], borrowed
+            type(c_ptr), intent(out) :: offsets
+            !> int32_t[offsets[N]], borrowed
+            type(c_ptr), intent(out) :: neighbors
+            integer(c_int32_t) :: status
+        end function c_hg_query_neighbors
+
+        function c_hg_query_sphere(grid, center, radius, ids, count) &
+            bind(c, name='hg_query_sphere') result(status)
+            import
+            type(c_ptr), value :: grid
+            !> (dimension)
+            real(c_double), intent(in) :: center(*)
+            !> Radius of the sphere
+            real(c_double), value :: radius
+            !> int32_t[count], borrowed
+            type(c_ptr), intent(out) :: ids
+            integer(c_size_t), intent(out) :: count
+            integer(c_int32_t) :: status
+        end function c_hg_query_sphere
+
+        function c_hg_query_levels(grid, levels, count) bind(c, name='hg_query_levels') &
+            result(status)
+            import
+            type(c_ptr), value :: grid
+            !> hg_level[count], borrowed
+            type(c_ptr), intent(out) :: levels
+            integer(c_size_t), intent(out) :: count
+            integer(c_int32_t) :: status
+        end function c_hg_query_levels
+
+        function c_hg_query_level_costs(grid, costs, count) &
+            bind(c, name='hg_query_level_costs') result(status)
+            import
+            type(c_ptr), value :: grid
+            !> hg_level_cost[count], borrowed
+            type(c_ptr), intent(out) :: costs
+            integer(c_size_t), intent(out) :: count
+            integer(c_int32_t) :: status
+        end function c_hg_query_level_costs
+    end interface
 
     ! What pointers show when there is nothing: C then gives NULL, a Fortran result must be
     ! associated.
@@ -17,99 +103,167 @@ submodule(hgrid) hgrid_queries
 
 contains
 
-    module procedure query_pairs
+    !> All pairs, each once, pairs(1, k) < pairs(2, k), in the order of def%pair_order.
+    subroutine query_pairs(self, pairs, err)
+        class(hg_grid), intent(in) :: self
+        !> (2, count), ids; memory of the grid
+        integer(c_int32_t), pointer, intent(out) :: pairs(:, :)
+        type(hg_error), intent(out), optional :: err
+
         type(c_ptr) :: memory
         integer(c_size_t) :: count
         integer(c_int32_t) :: status
 
         nullify (pairs)
-        status = c_hg_query_pairs(self%handle, memory, count)
+        status = c_hg_query_pairs(handle_of(self), memory, count)
         if (status == HG_OK) then
             pairs => no_pairs
             if (count > 0) call c_f_pointer(memory, pairs, [2_c_size_t, count])
         end if
-        call self%conclude(status, 'query_pairs', err)
-    end procedure query_pairs
+        call conclude(self, status, 'query_pairs', err)
+    end subroutine query_pairs
 
-    module procedure visit_pairs_procedure
-        call self%conclude(visit_with_procedure(self%handle, visit), 'visit_pairs', err)
-    end procedure visit_pairs_procedure
+    !> Hands all pairs to a function, in batches.
+    subroutine visit_pairs_procedure(self, visit, err)
+        class(hg_grid), intent(in) :: self
+        !> Returns 0 to go on, anything else to end the visit; must not call the grid
+        procedure(hg_pair_procedure) :: visit
+        type(hg_error), intent(out), optional :: err
 
-    module procedure visit_pairs_object
-        call self%conclude(visit_with_object(self%handle, visitor), 'visit_pairs', err)
-    end procedure visit_pairs_object
+        call conclude(self, visit_with_procedure(handle_of(self), visit), 'visit_pairs', err)
+    end subroutine visit_pairs_procedure
 
-    module procedure query_neighbors
+    !> Hands all pairs to an object, in batches.
+    subroutine visit_pairs_object(self, visitor, err)
+        class(hg_grid), intent(in) :: self
+        !> Its procedure visit returns 0 to go on, anything else to end the visit
+        class(hg_pair_visitor), intent(inout) :: visitor
+        type(hg_error), intent(out), optional :: err
+
+        call conclude(self, visit_with_object(handle_of(self), visitor), 'visit_pairs', err)
+    end subroutine visit_pairs_object
+
+    !> Neighbour lists in compressed rows: those of the k-th live particle in ascending id are
+    !> neighbors(offsets(k) + 1:offsets(k + 1)), ascending.
+    subroutine query_neighbors(self, list, offsets, neighbors, err)
+        class(hg_grid), intent(in) :: self
+        !> HG_HALF: only greater ids; HG_FULL: all
+        integer(c_int32_t), intent(in) :: list
+        !> (n + 1), starts with 0; memory of the grid
+        integer(c_int64_t), pointer, intent(out) :: offsets(:)
+        !> (offsets(n + 1)), ids; memory of the grid
+        integer(c_int32_t), pointer, intent(out) :: neighbors(:)
+        type(hg_error), intent(out), optional :: err
+
         type(hg_grid_stats) :: stats
         type(c_ptr) :: offset_memory, id_memory
         integer(c_int32_t) :: status
         integer(c_int64_t) :: count
 
         nullify (offsets, neighbors)
-        status = c_hg_query_neighbors(self%handle, list, offset_memory, id_memory)
-        if (status == HG_OK) status = c_hg_get_stats(self%handle, stats, c_sizeof(stats))
+        status = c_hg_query_neighbors(handle_of(self), list, offset_memory, id_memory)
+        if (status == HG_OK) status = c_hg_get_stats(handle_of(self), stats, c_sizeof(stats))
         if (status == HG_OK) then
             call c_f_pointer(offset_memory, offsets, [stats%particle_count + 1])
             count = offsets(stats%particle_count + 1)
             neighbors => no_ids
             if (count > 0) call c_f_pointer(id_memory, neighbors, [count])
         end if
-        call self%conclude(status, 'query_neighbors', err)
-    end procedure query_neighbors
+        call conclude(self, status, 'query_neighbors', err)
+    end subroutine query_neighbors
 
-    module procedure query_sphere_real64
+    !> The particles that a sphere overlaps, by the grid's own rule; ids ascending, borrowed
+    !> until this thread's next query_sphere.
+    subroutine query_sphere_real64(self, center, radius, ids, err)
+        class(hg_grid), intent(in) :: self
+        !> (dimension)
+        real(c_double), intent(in), contiguous :: center(:)
+        !> >= 0
+        real(c_double), intent(in) :: radius
+        !> (count); memory of the library
+        integer(c_int32_t), pointer, intent(out) :: ids(:)
+        type(hg_error), intent(out), optional :: err
+
         type(c_ptr) :: memory
         integer(c_size_t) :: count
         integer(c_int32_t) :: status
 
         nullify (ids)
-        if (c_associated(self%handle) .and. size(center) /= self%dimension) then
+        if (c_associated(handle_of(self)) .and. size(center) /= dimension_of(self)) then
             call raise(HG_ERR_ARGUMENT, 'query_sphere: center'//shape_text(shape(center))// &
-                ' does not fit a grid of dimension '//number_text(self%dimension), err)
+                ' does not fit a grid of dimension '//number_text(dimension_of(self)), err)
             return
         end if
-        status = c_hg_query_sphere(self%handle, center, radius, memory, count)
+        status = c_hg_query_sphere(handle_of(self), center, radius, memory, count)
         if (status == HG_OK) then
             ids => no_ids
             if (count > 0) call c_f_pointer(memory, ids, [count])
         end if
-        call self%conclude(status, 'query_sphere', err)
-    end procedure query_sphere_real64
+        call conclude(self, status, 'query_sphere', err)
+    end subroutine query_sphere_real64
 
-    module procedure query_sphere_real32
+    subroutine query_sphere_real32(self, center, radius, ids, err)
+        class(hg_grid), intent(in) :: self
+        !> (dimension)
+        real(c_float), intent(in) :: center(:)
+        !> >= 0
+        real(c_float), intent(in) :: radius
+        !> (count); memory of the library
+        integer(c_int32_t), pointer, intent(out) :: ids(:)
+        type(hg_error), intent(out), optional :: err
+
         call self%query_sphere_real64(real(center, c_double), real(radius, c_double), ids, err)
-    end procedure query_sphere_real32
+    end subroutine query_sphere_real32
 
-    module procedure query_levels
+    !> The levels as they stand, finest first.
+    subroutine query_levels(self, levels, err)
+        class(hg_grid), intent(in) :: self
+        !> (count); memory of the grid
+        type(hg_level), pointer, intent(out) :: levels(:)
+        type(hg_error), intent(out), optional :: err
+
         type(c_ptr) :: memory
         integer(c_size_t) :: count
         integer(c_int32_t) :: status
 
         nullify (levels)
-        status = c_hg_query_levels(self%handle, memory, count)
+        status = c_hg_query_levels(handle_of(self), memory, count)
         if (status == HG_OK) then
             levels => no_levels
             if (count > 0) call c_f_pointer(memory, levels, [count])
         end if
-        call self%conclude(status, 'query_levels', err)
-    end procedure query_levels
+        call conclude(self, status, 'query_levels', err)
+    end subroutine query_levels
 
-    module procedure query_level_costs
+    !> The predicted cost of each number of levels that the rule looked at.
+    subroutine query_level_costs(self, costs, err)
+        class(hg_grid), intent(in) :: self
+        !> (count), empty for HG_LEVELS_USER; memory of the grid
+        type(hg_level_cost), pointer, intent(out) :: costs(:)
+        type(hg_error), intent(out), optional :: err
+
         type(c_ptr) :: memory
         integer(c_size_t) :: count
         integer(c_int32_t) :: status
 
         nullify (costs)
-        status = c_hg_query_level_costs(self%handle, memory, count)
+        status = c_hg_query_level_costs(handle_of(self), memory, count)
         if (status == HG_OK) then
             costs => no_costs
             if (count > 0) call c_f_pointer(memory, costs, [count])
         end if
-        call self%conclude(status, 'query_level_costs', err)
-    end procedure query_level_costs
+        call conclude(self, status, 'query_level_costs', err)
+    end subroutine query_level_costs
 
-    module procedure get_stats
-        call self%conclude(c_hg_get_stats(self%handle, stats, c_sizeof(stats)), 'get_stats', err)
-    end procedure get_stats
+    !> The counters of the grid as built and of the last search.
+    subroutine get_stats(self, stats, err)
+        class(hg_grid), intent(in) :: self
+        !> A copy
+        type(hg_grid_stats), intent(out) :: stats
+        type(hg_error), intent(out), optional :: err
 
-end submodule hgrid_queries
+        call conclude(self, c_hg_get_stats(handle_of(self), stats, c_sizeof(stats)), &
+            'get_stats', err)
+    end subroutine get_stats
+
+end module hgrid_queries

@@ -3,11 +3,12 @@
 
 !> Visitors: how batches of pairs travel from the C library to a procedure or an object of the user.
 module hgrid_visit
-    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_funloc, c_int32_t, c_loc, c_ptr, c_size_t
-    use hgrid_c, only: c_hg_visit_pairs
+    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_funloc, c_funptr, c_int32_t, c_loc, &
+        c_ptr, c_size_t
     implicit none
     private
 
+    public :: c_hg_visit_pairs
     public :: hg_pair_procedure, hg_pair_visitor, visit_with_object, visit_with_procedure
 
     !> Extend this type with the data that a visit needs and gathers.
@@ -20,7 +21,6 @@ module hgrid_visit
         !> Takes one batch of pairs; returns 0 to go on, anything else to end the visit.
         function visit_batch(self, pairs) result(answer)
             import :: c_int32_t, hg_pair_visitor
-            !> The visitor
             class(hg_pair_visitor), intent(inout) :: self
             !> (2, n), ids; valid during the call only
             integer(c_int32_t), intent(in) :: pairs(:, :)
@@ -37,6 +37,19 @@ module hgrid_visit
         end function hg_pair_procedure
     end interface
 
+    interface
+        function c_hg_visit_pairs(grid, visit, context) bind(c, name='hg_visit_pairs') &
+            result(status)
+            import
+            type(c_ptr), value :: grid
+            !> An hg_pair_visitor: int32_t (*)(void *context, const hg_pair *pairs, size_t count)
+            type(c_funptr), value :: visit
+            !> Handed to the visitor
+            type(c_ptr), value :: context
+            integer(c_int32_t) :: status
+        end function c_hg_visit_pairs
+    end interface
+
     ! The C library carries one plain address; polymorphic and procedure pointers are wider, so a
     ! frame holds them.
     type :: object_frame
@@ -50,7 +63,6 @@ module hgrid_visit
 contains
 
     function visit_with_object(grid, visitor) result(status)
-        !> The C grid
         type(c_ptr), intent(in) :: grid
         !> Receives the batches
         class(hg_pair_visitor), intent(inout), target :: visitor
@@ -63,7 +75,6 @@ contains
     end function visit_with_object
 
     function visit_with_procedure(grid, visit) result(status)
-        !> The C grid
         type(c_ptr), intent(in) :: grid
         !> Receives the batches
         procedure(hg_pair_procedure) :: visit
@@ -81,7 +92,6 @@ contains
         type(c_ptr), value :: context
         !> hg_pair[count]
         type(c_ptr), value :: pairs
-        !> Number of pairs
         integer(c_size_t), value :: count
         integer(c_int32_t) :: answer
 
@@ -98,7 +108,6 @@ contains
         type(c_ptr), value :: context
         !> hg_pair[count]
         type(c_ptr), value :: pairs
-        !> Number of pairs
         integer(c_size_t), value :: count
         integer(c_int32_t) :: answer
 

@@ -1,8 +1,8 @@
 /* SPDX-FileCopyrightText: The libhgrid developers
  * SPDX-License-Identifier: BSD-3-Clause */
 
-/* The C interface as scripting languages see it. This file and status.i are shared by all of them; <language>.i says
- * how arrays, handles, lists and visitors travel (README.md lists what it must provide). */
+/* The C interface as scripting languages see it. This file is shared by all of them; <language>.i says how arrays,
+ * handles, lists and visitors travel (README.md lists what it must provide). */
 %module hgrid
 
 %{
@@ -18,7 +18,16 @@
 #else
 #error "libhgrid has no SWIG typemaps for this language yet: see bindings/swig/README.md"
 #endif
-%include "status.i"
+
+/* A call that fails raises, a call that succeeds returns its results without the status. The language file provides
+ * hgrid_raise(status), which turns the status and hg_last_error() into the language's own exception. */
+%typemap(out) hg_status {
+  if ($1 != HG_OK) {
+    hgrid_raise($1);
+    SWIG_fail;
+  }
+  %set_output(VOID_Object);
+}
 
 /* A handle frees its grid; only hg_make makes one. */
 %nodefaultctor hg_grid;
@@ -55,17 +64,12 @@ typedef struct hg_history {
 %ignore hg_allocator;
 %ignore hg_pair;
 
-/* These take or return a size that no script should have to know; the functions below stand in for them. */
-%ignore hg_create;
-%ignore hg_get_stats;
-%ignore hg_query_neighbors;
-%ignore hg_history_update;
-
 %apply int *OUTPUT { int *major, int *minor, int *patch };
 %apply Pointer NONNULL { const hg_grid_def *def };
 
-%inline %{
 /* hg_create with the cell sizes beside the definition, so that no pointer outlives the call; count 0 means none. */
+%ignore hg_create;
+%inline %{
 static hg_status hg_make(const hg_grid_def *def, size_t count, const double *cell_sizes, hg_grid **grid) {
   hg_grid_def whole = *def;
   if (count > 0) {
@@ -74,28 +78,6 @@ static hg_status hg_make(const hg_grid_def *def, size_t count, const double *cel
   }
   return hg_create(&whole, grid);
 }
-
-/* hg_get_stats for the struct of this build. */
-static hg_status hg_read_stats(hg_grid *grid, hg_grid_stats *stats) { return hg_get_stats(grid, stats, sizeof *stats); }
-
-/* hg_query_neighbors with the lengths of both arrays. */
-static hg_status hg_list_neighbors(hg_grid *grid, int32_t list, const int64_t **offsets, size_t *offset_count,
-                                   const int32_t **neighbors, size_t *neighbor_count) {
-  hg_grid_stats stats;
-  hg_status status = hg_query_neighbors(grid, list, offsets, neighbors);
-  if (status == HG_OK) status = hg_get_stats(grid, &stats, sizeof stats);
-  if (status != HG_OK) return status;
-  *offset_count = (size_t)stats.particle_count + 1;
-  *neighbor_count = (size_t)(*offsets)[stats.particle_count];
-  return HG_OK;
-}
-
-/* hg_history_update with the length of its result. */
-static hg_status hg_match_pairs(hg_history *history, size_t count, const hg_pair *pairs, const int64_t **previous,
-                                size_t *previous_count) {
-  *previous_count = count;
-  return hg_history_update(history, count, pairs, previous);
-}
 %}
 
 /* Data of contacts are arrays of the language, which gathers them by itself. */
@@ -103,5 +85,7 @@ static hg_status hg_match_pairs(hg_history *history, size_t count, const hg_pair
 
 %include <hgrid/base.h>
 %include <hgrid/types.h>
+%hgrid_long_calls
 %include <hgrid/grid.h>
+%exception;
 %include <hgrid/history.h>

@@ -2,43 +2,30 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* How arguments and results travel between Python and C. Arrays come in as C-contiguous buffers of the exact type and
- * go out as memoryviews of the library's memory; the package hgrid makes the first and copies the second. */
+ * go out as memoryviews of the library's memory; the package hgrid makes the first, checks their shapes, and copies the
+ * second. Typemaps go by type, and by the name of the first where they take several arguments: a new call with arguments
+ * like those of the others needs nothing here. */
 %{
 #include "python_glue.h"
 %}
 
-/* Arrays in. */
-%define %hgrid_buffer_cleanup(...)
-%typemap(arginit) (__VA_ARGS__) { view$argnum.obj = NULL; }
-%typemap(freearg) (__VA_ARGS__) { PyBuffer_Release(&view$argnum); }
-%enddef
-
-%define %hgrid_counted_array(TYPE, NAME, KIND, DIMENSIONS)
-%typemap(in) (size_t count, const TYPE *NAME) (Py_buffer view) {
-  if (hgrid_take_buffer($input, #NAME, KIND, DIMENSIONS, &view) != 0) SWIG_fail;
-  $1 = (size_t)view.shape[0];
+/* Arrays in: any number of them, the first with its length. None is NULL. */
+%define %hgrid_array_in(TYPE, KIND)
+%typemap(arginit) const TYPE *, (size_t count, const TYPE *) { view$argnum.obj = NULL; }
+%typemap(in) const TYPE * (Py_buffer view) {
+  if (hgrid_take_buffer($input, "$1_name", KIND, &view) != 0) SWIG_fail;
+  $1 = ($1_ltype)view.buf;
+}
+%typemap(in) (size_t count, const TYPE *) (Py_buffer view) {
+  if (hgrid_take_buffer($input, "$2_name", KIND, &view) != 0) SWIG_fail;
+  $1 = view.buf == NULL ? 0 : (size_t)view.shape[0];
   $2 = ($2_ltype)view.buf;
 }
-%hgrid_buffer_cleanup(size_t count, const TYPE *NAME)
+%typemap(freearg) const TYPE *, (size_t count, const TYPE *) { PyBuffer_Release(&view$argnum); }
 %enddef
-%hgrid_counted_array(double, centers, 'd', 2)
-%hgrid_counted_array(double, cell_sizes, 'd', 1)
-%hgrid_counted_array(int32_t, ids, 'i', 1)
-%hgrid_counted_array(hg_pair, pairs, 'i', 2)
-
-%define %hgrid_plain_array(NAME)
-%typemap(in) const double *NAME (Py_buffer view) {
-  if ($input == Py_None) {
-    $1 = NULL;
-  } else {
-    if (hgrid_take_buffer($input, #NAME, 'd', 1, &view) != 0) SWIG_fail;
-    $1 = ($1_ltype)view.buf;
-  }
-}
-%hgrid_buffer_cleanup(const double *NAME)
-%enddef
-%hgrid_plain_array(radii)
-%hgrid_plain_array(center)
+%hgrid_array_in(double, 'd')
+%hgrid_array_in(int32_t, 'i')
+%hgrid_array_in(hg_pair, 'i')
 
 /* Members with one value per axis. */
 %typemap(in) double [3] (double values[3]) {
@@ -53,44 +40,62 @@
 }
 
 /* A new object, owned by its proxy. */
-%define %hgrid_new_object(TYPE, NAME)
-%typemap(in, numinputs=0) TYPE **NAME (TYPE *made = NULL) { $1 = &made; }
-%typemap(argout) TYPE **NAME {
-  %append_output(SWIG_NewPointerObj(made$argnum, $*1_descriptor, SWIG_POINTER_OWN));
-}
+%define %hgrid_new_object(TYPE)
+%typemap(in, numinputs=0) TYPE ** (TYPE *made = NULL) { $1 = &made; }
+%typemap(argout) TYPE ** { %append_output(SWIG_NewPointerObj(made$argnum, $*1_descriptor, SWIG_POINTER_OWN)); }
 %enddef
-%hgrid_new_object(hg_grid, grid)
-%hgrid_new_object(hg_history, history)
+%hgrid_new_object(hg_grid)
+%hgrid_new_object(hg_history)
 
-/* Arrays out. */
-%define %hgrid_lent_array(TYPE, NAME, COUNT)
-%typemap(in, numinputs=0) (const TYPE **NAME, size_t *COUNT) (const TYPE *items = NULL, size_t item_count = 0) {
+/* Arrays out: rows of COLUMNS numbers. */
+%define %hgrid_lent_array(TYPE, NAME, FORMAT, COLUMNS)
+%typemap(in, numinputs=0) (const TYPE **NAME, size_t *) (const TYPE *items = NULL, size_t item_count = 0) {
   $1 = ($1_ltype)&items;
   $2 = &item_count;
 }
-%typemap(argout) (const TYPE **NAME, size_t *COUNT) {
-  %append_output(hgrid_lend(items$argnum, item_count$argnum * sizeof(TYPE)));
+%typemap(argout) (const TYPE **NAME, size_t *) {
+  %append_output(hgrid_lend(items$argnum, item_count$argnum, FORMAT, COLUMNS));
 }
 %enddef
-%hgrid_lent_array(hg_pair, pairs, count)
-%hgrid_lent_array(int32_t, ids, count)
-%hgrid_lent_array(int64_t, offsets, offset_count)
-%hgrid_lent_array(int32_t, neighbors, neighbor_count)
-%hgrid_lent_array(int64_t, previous, previous_count)
+%hgrid_lent_array(hg_pair, pairs, "i", 2)
+%hgrid_lent_array(int32_t, ids, "i", 1)
 
-/* Lists of structs out, each a copy owned by its proxy. */
+/* Compressed rows out. C does not tell how many there are: the package does, as an argument in their place. */
+%typemap(in) (const int64_t **offsets, const int32_t **) (const int64_t *offsets = NULL, const int32_t *ids = NULL, size_t rows) {
+  rows = PyLong_AsSize_t($input);
+  if (PyErr_Occurred()) SWIG_fail;
+  $1 = ($1_ltype)&offsets;
+  $2 = ($2_ltype)&ids;
+}
+%typemap(argout) (const int64_t **offsets, const int32_t **) {
+  %append_output(hgrid_lend(offsets$argnum, rows$argnum + 1, HGRID_INT64, 1));
+  %append_output(hgrid_lend(ids$argnum, (size_t)offsets$argnum[rows$argnum], "i", 1));
+}
+
+/* A list in, and one number for each of its pairs out. */
+%typemap(arginit) (size_t count, const hg_pair *pairs, const int64_t **) { view$argnum.obj = NULL; }
+%typemap(in) (size_t count, const hg_pair *pairs, const int64_t **) (Py_buffer view, const int64_t *places = NULL) {
+  if (hgrid_take_buffer($input, "$2_name", 'i', &view) != 0) SWIG_fail;
+  $1 = (size_t)view.shape[0];
+  $2 = ($2_ltype)view.buf;
+  $3 = ($3_ltype)&places;
+}
+%typemap(argout) (size_t count, const hg_pair *pairs, const int64_t **) {
+  %append_output(hgrid_lend(places$argnum, $1, HGRID_INT64, 1));
+}
+%typemap(freearg) (size_t count, const hg_pair *pairs, const int64_t **) { PyBuffer_Release(&view$argnum); }
+
+/* Structs out, each a copy owned by its proxy: lists of them, or one of the size of this build. */
 %define %hgrid_struct_list(TYPE, NAME)
-%typemap(in, numinputs=0) (const TYPE **NAME, size_t *count) (const TYPE *items = NULL, size_t item_count = 0) {
+%typemap(in, numinputs=0) (const TYPE **NAME, size_t *) (const TYPE *items = NULL, size_t item_count = 0) {
   $1 = ($1_ltype)&items;
   $2 = &item_count;
 }
-%typemap(argout) (const TYPE **NAME, size_t *count) {
+%typemap(argout) (const TYPE **NAME, size_t *) {
   PyObject *list = PyList_New(0);
   size_t k;
   for (k = 0; list != NULL && k < item_count$argnum; ++k) {
-    void *copy = hgrid_copy(items$argnum + k, sizeof(TYPE));
-    PyObject *proxy = copy == NULL ? NULL : SWIG_NewPointerObj(copy, $*1_descriptor, SWIG_POINTER_OWN);
-    list = hgrid_append(list, proxy);
+    list = hgrid_append(list, hgrid_copy(items$argnum + k, sizeof(TYPE), $*1_descriptor));
   }
   Py_XDECREF($result);
   $result = list;
@@ -99,6 +104,13 @@
 %enddef
 %hgrid_struct_list(hg_level, levels)
 %hgrid_struct_list(hg_level_cost, costs)
+%typemap(in, numinputs=0) (hg_grid_stats *stats, size_t struct_size) (hg_grid_stats counters) {
+  $1 = &counters;
+  $2 = sizeof counters;
+}
+%typemap(argout) (hg_grid_stats *stats, size_t struct_size) {
+  %append_output(hgrid_copy($1, $2, $1_descriptor));
+}
 
 /* A visitor is any callable. An exception that it raises ends the visit and passes on to the caller. */
 %typemap(in) (hg_pair_visitor *visit, void *context) {
@@ -112,18 +124,12 @@
   }
 }
 
-/* Calls that may search or build run without the interpreter lock. Those that read the caller's arrays keep it: another
- * Python thread could otherwise change the numbers between their check and their use. */
-%define %hgrid_long_call(NAME)
-%exception NAME {
-  Py_BEGIN_ALLOW_THREADS
+/* For what follows: calls run without the interpreter lock. Those that read arrays of the caller keep it: another Python thread
+ * could otherwise change the numbers between their check and their use. */
+%define %hgrid_long_calls
+%exception {
+  PyThreadState *unlocked = hgrid_reads_arrays("$decl") ? NULL : PyEval_SaveThread();
   $action
-  Py_END_ALLOW_THREADS
+  if (unlocked != NULL) PyEval_RestoreThread(unlocked);
 }
 %enddef
-%hgrid_long_call(hg_build)
-%hgrid_long_call(hg_query_pairs)
-%hgrid_long_call(hg_visit_pairs)
-%hgrid_long_call(hg_list_neighbors)
-%hgrid_long_call(hg_query_levels)
-%hgrid_long_call(hg_query_level_costs)

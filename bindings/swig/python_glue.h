@@ -10,22 +10,32 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Borrows a C-contiguous buffer of doubles (kind 'd') or of 32-bit integers ('i'). Nonzero: an exception is set. */
-static int hgrid_take_buffer(PyObject *object, const char *name, char kind, int dimensions, Py_buffer *view) {
+/* How buffers spell int64_t. */
+#define HGRID_INT64 (sizeof(long) == sizeof(int64_t) ? "l" : "q")
+
+/* Borrows a C-contiguous buffer of doubles (kind 'd') or of 32-bit integers ('i'); None gives NULL. Nonzero: an
+ * exception is set. */
+static int hgrid_take_buffer(PyObject *object, const char *name, char kind, Py_buffer *view) {
   const char *format;
   size_t size = kind == 'd' ? sizeof(double) : sizeof(int32_t);
+  view->buf = NULL;
+  if (object == Py_None) return 0;
   if (PyObject_GetBuffer(object, view, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT) != 0) return -1;
   format = view->format == NULL ? "B" : view->format;
   /* A platform may spell its 32-bit integer as long. */
   if ((format[0] != kind && !(kind == 'i' && format[0] == 'l')) || format[1] != '\0' ||
-      view->itemsize != (Py_ssize_t)size || view->ndim != dimensions) {
-    PyErr_Format(PyExc_TypeError,
-                 "%s: a %d-dimensional buffer of type '%c' is needed, not a %d-dimensional one of '%s'", name,
-                 dimensions, kind, view->ndim, format);
+      view->itemsize != (Py_ssize_t)size || view->ndim == 0) {
+    PyErr_Format(PyExc_TypeError, "%s: an array of type '%c' is needed, not one of '%s'", name, kind, format);
     PyBuffer_Release(view);
     return -1;
   }
   return 0;
+}
+
+/* Whether a call, declared as SWIG writes it, takes an array: a pointer to what is constant. A pointer to such a
+ * pointer is a result. */
+static int hgrid_reads_arrays(const char *declaration) {
+  return strstr(declaration, " const *,") != NULL || strstr(declaration, " const *)") != NULL;
 }
 
 /* Reads a sequence of three numbers. Nonzero: an exception is set. */
@@ -41,21 +51,34 @@ static int hgrid_take_axes(PyObject *object, const char *name, double values[3])
   return PyErr_Occurred() ? -1 : 0;
 }
 
-/* A read-only view of memory that the library owns: valid only as long as the library says. */
-static PyObject *hgrid_lend(const void *memory, size_t bytes) {
+/* A read-only view of `count` rows of `columns` numbers that the library owns: valid only as long as it says. */
+static PyObject *hgrid_lend(const void *memory, size_t count, const char *format, Py_ssize_t columns) {
   static char nothing;
-  char *start = memory == NULL ? &nothing : (char *)memory;
-  return PyMemoryView_FromMemory(start, (Py_ssize_t)bytes, PyBUF_READ);
+  Py_ssize_t size = format[0] == 'i' ? (Py_ssize_t)sizeof(int32_t) : (Py_ssize_t)sizeof(int64_t);
+  Py_ssize_t shape[2], strides[2];
+  Py_buffer view;
+  memset(&view, 0, sizeof view);
+  shape[0] = (Py_ssize_t)count;
+  shape[1] = columns;
+  strides[0] = columns * size;
+  strides[1] = size;
+  view.buf = memory == NULL ? &nothing : (char *)memory;
+  view.len = shape[0] * strides[0];
+  view.readonly = 1;
+  view.itemsize = size;
+  view.format = (char *)format;
+  view.ndim = columns == 1 ? 1 : 2;
+  view.shape = shape;
+  view.strides = strides;
+  return PyMemoryView_FromBuffer(&view);
 }
 
-static void *hgrid_copy(const void *source, size_t size) {
+/* A proxy of this type for a copy of a struct. */
+static PyObject *hgrid_copy(const void *source, size_t size, swig_type_info *type) {
   void *copy = malloc(size);
-  if (copy == NULL) {
-    PyErr_NoMemory();
-  } else {
-    memcpy(copy, source, size);
-  }
-  return copy;
+  if (copy == NULL) return PyErr_NoMemory();
+  memcpy(copy, source, size);
+  return SWIG_NewPointerObj(copy, type, SWIG_POINTER_OWN);
 }
 
 /* Appends and takes over `item`. NULL with an exception set, and the list released, if either fails. */
@@ -83,7 +106,7 @@ static void hgrid_raise(hg_status status) {
 /* Hands a batch to the Python callable in `context`. A raised exception stays set and stops the visit. */
 static int32_t hgrid_visit(void *context, const hg_pair *pairs, size_t count) {
   PyGILState_STATE lock = PyGILState_Ensure();
-  PyObject *batch = hgrid_lend(pairs, count * sizeof *pairs);
+  PyObject *batch = hgrid_lend(pairs, count, "i", 2);
   PyObject *answer = batch == NULL ? NULL : PyObject_CallFunctionObjArgs((PyObject *)context, batch, NULL);
   int stop = answer == NULL || PyObject_IsTrue(answer) != 0;
   Py_XDECREF(answer);

@@ -7,11 +7,10 @@
 #include "dem/engine/contact_search.hpp"
 #include "dem/engine/effects.hpp"
 #include "dem/engine/vector.hpp"
-#include "particles/grid_pointer.hpp"
 
-#include <hgrid/hgrid.h>
+#include <hgrid/hgrid.hpp>
 
-#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,19 +22,15 @@ template <int D, class Real>
 class ContactMemory {
  public:
   explicit ContactMemory(EffectSet effects) : slips_(has(effects, kFriction)), rolls_(has(effects, kRolling)) {
-    if (!slips_) return;
-    hg_history *history = nullptr;
-    particles::require(hg_history_create(&history));
-    history_.reset(history);
+    if (slips_) history_.emplace();
   }
 
   // Makes the rows those of this list: old contacts keep theirs, new ones start with zero.
   void follow(PairView pairs) {
     if (!slips_) return;
-    const int64_t *previous = nullptr;
-    particles::require(hg_history_update(history_.get(), pairs.count, pairs.data, &previous));
-    carry(slip_, pairs.count);
-    if (rolls_) carry(roll_, pairs.count);
+    history_->update(pairs.size(), pairs.data());
+    carry(slip_, pairs.size());
+    if (rolls_) carry(roll_, pairs.size());
   }
 
   Vec<D, Real> *slip() { return slip_.data(); }
@@ -44,9 +39,8 @@ class ContactMemory {
 
   void save(const std::string &name, Checkpoint &checkpoint) const {
     if (!slips_) return;
-    PairView pairs;
-    particles::require(hg_history_pairs(history_.get(), &pairs.data, &pairs.count));
-    checkpoint.put(name + " pairs", pairs.data, pairs.count);
+    const PairView pairs = history_->pairs();
+    checkpoint.put(name + " pairs", pairs.data(), pairs.size());
     checkpoint.put(name + " slip", slip_);
     checkpoint.put(name + " roll", roll_);
   }
@@ -55,7 +49,7 @@ class ContactMemory {
     if (!slips_) return;
     std::vector<hg_pair> pairs;
     checkpoint.get_all(name + " pairs", pairs);
-    particles::require(hg_history_restore(history_.get(), pairs.size(), pairs.data()));
+    history_->restore(pairs.size(), pairs.data());
     slip_.resize(pairs.size());
     checkpoint.get(name + " slip", slip_);
     roll_.resize(rolls_ ? pairs.size() : 0);
@@ -66,14 +60,11 @@ class ContactMemory {
   void carry(std::vector<Vec<D, Real>> &rows, size_t count) {
     old_.swap(rows);
     rows.resize(count);
-    particles::require(hg_history_carry(history_.get(), sizeof(Vec<D, Real>), old_.data(), rows.data()));
+    history_->carry(sizeof(Vec<D, Real>), old_.data(), rows.data());
   }
 
-  struct Destroy {
-    void operator()(hg_history *history) const { hg_history_destroy(history); }
-  };
   bool slips_, rolls_;
-  std::unique_ptr<hg_history, Destroy> history_;
+  std::optional<hgrid::History> history_;
   std::vector<Vec<D, Real>> slip_, roll_, old_;
 };
 

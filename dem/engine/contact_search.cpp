@@ -34,12 +34,12 @@ hg_grid_def grid_def(const Setup &setup) {
 }  // namespace
 
 ContactSearch::ContactSearch(const Setup &setup)
-    : grid_(particles::create_grid(grid_def(setup))),
+    : grid_(grid_def(setup)),
       dimension_(static_cast<size_t>(setup.dimension)),
       count_(setup.count()),
       sheared_(has(setup.effects, kShear)),
       margin_(has(setup.effects, kAdhesion) ? setup.contact.adhesion_range : 0) {
-  particles::require(hg_insert(grid_.get(), count_, setup.centers.data(), setup.radii.data()));
+  grid_.insert(count_, setup.centers.data(), setup.radii.data());
   if (!sheared_) return;
   low_ = setup.box_min[1];
   high_ = setup.box_max[1];
@@ -52,12 +52,11 @@ ContactSearch::ContactSearch(const Setup &setup)
 }
 
 PairView ContactSearch::find(const double *centers, const double *radii, double offset) {
-  particles::require(hg_move(grid_.get(), count_, centers, radii));
-  PairView pairs;
-  particles::require(hg_query_pairs(grid_.get(), &pairs.data, &pairs.count));
+  grid_.move(count_, centers, radii);
+  const PairView pairs = grid_.query_pairs();
   if (!sheared_) return pairs;
   if (radii != nullptr) radii_.assign(radii, radii + count_);
-  pairs_.assign(pairs.data, pairs.data + pairs.count);
+  pairs_.assign(pairs.begin(), pairs.end());
   add_pairs_across(centers, offset);
   return {pairs_.data(), pairs_.size()};
 }
@@ -70,22 +69,13 @@ void ContactSearch::add_pairs_across(const double *centers, double offset) {
     const double *center = centers + i * dimension_;
     if (center[1] + radii_[i] + reach < high_) continue;
     double image[3] = {center[0] - offset, center[1] - (high_ - low_), dimension_ == 3 ? center[2] : 0};
-    const int32_t *ids = nullptr;
-    size_t hits = 0;
-    particles::require(hg_query_sphere(grid_.get(), image, radii_[i], &ids, &hits));
-    for (size_t h = 0; h < hits; h++) {
-      pairs_.push_back({std::min(ids[h], static_cast<int32_t>(i)), std::max(ids[h], static_cast<int32_t>(i))});
+    for (const int32_t id : grid_.query_sphere(image, radii_[i])) {
+      pairs_.push_back({std::min(id, static_cast<int32_t>(i)), std::max(id, static_cast<int32_t>(i))});
     }
   }
   const auto middle = pairs_.begin() + static_cast<ptrdiff_t>(within);
   std::sort(middle, pairs_.end(), by_id);
   std::inplace_merge(pairs_.begin(), middle, pairs_.end(), by_id);
-}
-
-hg_grid_stats ContactSearch::stats() const {
-  hg_grid_stats stats{};
-  particles::require(hg_get_stats(grid_.get(), &stats, sizeof stats));
-  return stats;
 }
 
 }  // namespace dem

@@ -4,19 +4,15 @@
 #pragma once
 
 #include "dem/engine/setup.hpp"
-#include "particles/grid_pointer.hpp"
 
-#include <hgrid/hgrid.h>
+#include <hgrid/hgrid.hpp>
 
 #include <cstddef>
 #include <vector>
 
 namespace dem {
 
-struct PairView {
-  const hg_pair *data = nullptr;
-  size_t count = 0;
-};
+using PairView = hgrid::View<hg_pair>;
 
 // Pairs come ascending, (a, b) with a < b: their order, and so every sum of forces, depends on nothing but the
 // positions, not on threads, skin, or what the grid has seen before.
@@ -29,12 +25,12 @@ class ContactSearch {
   // call.
   PairView find(const double *centers, const double *radii, double offset);
 
-  hg_grid_stats stats() const;
+  hg_grid_stats stats() const { return grid_.get_stats(); }
 
  private:
   void add_pairs_across(const double *centers, double offset);
 
-  particles::GridPointer grid_;
+  hgrid::Grid grid_;
   size_t dimension_, count_;
   bool sheared_;
   double low_ = 0, high_ = 0, margin_;  // the box along y (shear)

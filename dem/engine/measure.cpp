@@ -92,9 +92,9 @@ template <int D>
 void measure_pairs(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
                    const ContactState<D> &contacts, Measurement &result) {
   const ContactLaw<double> law = make_law<double>(setup.contact, setup.effects, Partner::kParticle);
-  for (size_t p = 0; p < contacts.pairs.count; p++) {
-    const auto a = static_cast<size_t>(contacts.pairs.data[p].a);
-    const auto b = static_cast<size_t>(contacts.pairs.data[p].b);
+  for (size_t p = 0; p < contacts.pairs.size(); p++) {
+    const auto a = static_cast<size_t>(contacts.pairs[p].a);
+    const auto b = static_cast<size_t>(contacts.pairs[p].b);
     // Neighbours in a wall of fixed particles may overlap as they like: nothing comes of it.
     if (!std::isfinite(state.masses[a]) && !std::isfinite(state.masses[b])) continue;
     const Vector<D> between = row<D>(state.centers, b) - row<D>(state.centers, a);
@@ -115,9 +115,9 @@ template <int D>
 void measure_walls(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
                    const ContactState<D> &contacts, Measurement &result) {
   const ContactLaw<double> law = make_law<double>(setup.contact, setup.effects, Partner::kWall);
-  for (size_t p = 0; p < contacts.walls.count; p++) {
-    const auto i = static_cast<size_t>(contacts.walls.data[p].a);
-    const int32_t wall = contacts.walls.data[p].b;
+  for (size_t p = 0; p < contacts.walls.size(); p++) {
+    const auto i = static_cast<size_t>(contacts.walls[p].a);
+    const int32_t wall = contacts.walls[p].b;
     const double overlap =
         wall_overlap(boundary, state.centers[i * D + static_cast<size_t>(axis_of(wall))], state.radii[i], wall);
     const Spring spring = spring_of(law, setup.contact, setup.effects, overlap, 1 / state.radii[i]);

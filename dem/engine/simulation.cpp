@@ -166,17 +166,17 @@ void Simulation<D, Real>::add_pair_forces() {
   PairTask<D, Real> task{&bodies_,
                          &boundary_,
                          &pair_law_,
-                         pairs_.data,
+                         pairs_.data(),
                          static_cast<Real>(last_drift_),
                          pair_memory_.slip(),
                          pair_memory_.roll(),
                          nullptr};
-  if (threads_ == 1) return pair_kernel_(task, 0, pairs_.count);
-  efforts_.resize(pairs_.count);
+  if (threads_ == 1) return pair_kernel_(task, 0, pairs_.size());
+  efforts_.resize(pairs_.size());
   task.efforts = efforts_.data();
-  in_parts(threads_, pairs_.count, [&](int, size_t first, size_t last) { pair_kernel_(task, first, last); });
+  in_parts(threads_, pairs_.size(), [&](int, size_t first, size_t last) { pair_kernel_(task, first, last); });
   in_parts(threads_, bodies_.count(), [&](int, size_t first, size_t last) {
-    add_efforts(bodies_, pairs_.data, pairs_.count, efforts_.data(), first, last);
+    add_efforts(bodies_, pairs_.data(), pairs_.size(), efforts_.data(), first, last);
   });
 }
 

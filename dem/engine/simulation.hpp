@@ -31,7 +31,7 @@ class Simulation final : public Engine {
 
   uint64_t steps_done() const override { return steps_; }
   double time() const override { return static_cast<double>(steps_) * setup_.time_step; }
-  size_t pair_count() const override { return pairs_.count; }
+  size_t pair_count() const override { return pairs_.size(); }
   size_t state_bytes() const override;
   hg_grid_stats grid_stats() const override { return search_.stats(); }
 

@@ -110,8 +110,8 @@ Measurement Simulation<D, Real>::measure() {
   if (setup_.scheme.shared_drift == 0) {
     find_pairs();
     contacts.pairs = pairs_;
-    contacts.pair_slip = in_double<D, Real>(pair_memory_.slip(), pairs_.count);
-    contacts.pair_roll = in_double<D, Real>(pair_memory_.roll(), pairs_.count);
+    contacts.pair_slip = in_double<D, Real>(pair_memory_.slip(), pairs_.size());
+    contacts.pair_roll = in_double<D, Real>(pair_memory_.roll(), pairs_.size());
     contacts.wall_slip = in_double<D, Real>(wall_memory_.slip(), walls.size());
     contacts.wall_roll = in_double<D, Real>(wall_memory_.roll(), walls.size());
   } else {

@@ -52,7 +52,7 @@ particles::ParticleSet read_pack(const Table &group, const Table &table, const d
   try {
     set = grows ? grow(request) : packing::make_packing(request, [](int, const packing::Overlaps &) {}).particles;
   } catch (const std::exception &error) {
-    group.fail("pack", error.what());
+    group.fail("pack", particles::message_of(error));
   }
   const double scale = group.number("radius", 1);
   if (!(scale > 0)) group.fail("radius", "is not above 0");

@@ -12,12 +12,12 @@ namespace {
 // A particle whose outer hull leaves less than this share of the skin is a stray.
 constexpr double kLeastSkin = 0.5;
 
-particles::GridPointer outer_grid(const Box &box) {
+hgrid::Grid outer_grid(const Box &box) {
   hg_grid_def def = hg_default_grid_def();
   box.describe(def);
   def.thread_count = 1;     // rebuilding is a small part; waiting threads would take a core from others
   def.accuracy = HG_FLOAT;  // lists may hold a pair too much, never one too few
-  return particles::create_grid(def);
+  return hgrid::Grid(def);
 }
 
 }  // namespace
@@ -43,12 +43,12 @@ void HullLists::rebuild(const std::vector<Sphere> &spheres, const std::vector<do
     radii_[i] = outer_[i].radius;
   }
   if (filled_) {
-    particles::require(hg_move(grid_.get(), spheres.size(), centers_.data(), radii_.data()));
+    grid_.move(spheres.size(), centers_.data(), radii_.data());
   } else {
-    particles::require(hg_insert(grid_.get(), spheres.size(), centers_.data(), radii_.data()));
+    grid_.insert(spheres.size(), centers_.data(), radii_.data());
     filled_ = true;
   }
-  particles::require(hg_query_neighbors(grid_.get(), HG_FULL, &offsets_, &neighbors_));
+  rows_ = grid_.query_neighbors(HG_FULL);
   for (const int32_t stray : strays_) is_stray_[index(stray)] = 0;
   strays_.clear();
   std::fill(marks_.begin(), marks_.end(), 0u);
@@ -61,8 +61,8 @@ void HullLists::fill_rows() {
   for (size_t i = 0; i < inner_.size(); i++) {
     Slot &slot = slots_[i];
     slot.begin = pool_.size();
-    for (int64_t k = offsets_[i]; k < offsets_[i + 1]; k++) {
-      if (overlap(inner_[i], inner_[index(neighbors_[k])])) pool_.push_back(neighbors_[k]);
+    for (const int32_t j : rows_[i]) {
+      if (overlap(inner_[i], inner_[index(j)])) pool_.push_back(j);
     }
     slot.count = static_cast<uint32_t>(pool_.size() - slot.begin);
     slot.capacity = slot.count + slot.count / 4 + 2;
@@ -91,15 +91,11 @@ bool HullLists::fit_in_outer(int32_t particle, const Sphere &sphere, double skin
 template <class Visit>
 void HullLists::visit_candidates(int32_t particle, Visit visit) {
   if (is_stray_[index(particle)] == 0) {
-    const int64_t end = offsets_[particle + 1];
-    for (int64_t k = offsets_[particle]; k < end; k++) visit(neighbors_[k]);
+    for (const int32_t j : rows_[index(particle)]) visit(j);
   } else {
     const Sphere &hull = inner_[index(particle)];
-    const int32_t *found = nullptr;
-    size_t count = 0;
-    particles::require(hg_query_sphere(grid_.get(), hull.center.data(), hull.radius, &found, &count));
-    for (size_t k = 0; k < count; k++) {
-      if (found[k] != particle) visit(found[k]);
+    for (const int32_t j : grid_.query_sphere(hull.center.data(), hull.radius)) {
+      if (j != particle) visit(j);
     }
   }
   for (const int32_t stray : strays_) {

@@ -6,7 +6,8 @@
 
 #include "packing/box.hpp"
 #include "packing/vector.hpp"
-#include "particles/grid_pointer.hpp"
+
+#include <hgrid/hgrid.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -40,7 +41,7 @@ class HullLists {
   HullLists(const Box &box, size_t count);
 
   // Gives every particle new hulls: spheres[i] with its radius enlarged by inner[i] and by outer[i] >= inner[i].
-  // Throws Error if a periodic axis is too short for the outer hulls.
+  // Throws hgrid::Error if a periodic axis is too short for the outer hulls.
   void rebuild(const std::vector<Sphere> &spheres, const std::vector<double> &inner, const std::vector<double> &outer);
 
   // Gives one particle, now at `sphere`, a new inner hull with this skin, less if that keeps it within its outer hull.
@@ -55,7 +56,7 @@ class HullLists {
   size_t stray_count() const { return strays_.size(); }
 
   // The sum of the lengths of all lists of outer partners: twice the pairs.
-  size_t outer_sum() const { return static_cast<size_t>(offsets_[inner_.size()]); }
+  size_t outer_sum() const { return rows_.ids.size(); }
 
  private:
   // Where the partners of one particle stand in the pool.
@@ -78,12 +79,11 @@ class HullLists {
   void erase(int32_t row, int32_t particle);
 
   Box box_;
-  particles::GridPointer grid_;
+  hgrid::Grid grid_;
   bool filled_ = false;
   std::vector<Sphere> outer_, inner_;
   std::vector<double> centers_, radii_;  // of the outer hulls, as the library takes them
-  const int64_t *offsets_ = nullptr;     // borrowed: rows of overlapping outer hulls
-  const int32_t *neighbors_ = nullptr;
+  hgrid::Rows rows_;                     // borrowed: overlapping outer hulls
   std::vector<Slot> slots_;
   std::vector<int32_t> pool_;
   std::vector<int32_t> strays_;

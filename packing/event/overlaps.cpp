@@ -3,7 +3,7 @@
 // A packing handed to the library to be searched for overlaps.
 #include "packing/event/overlaps.hpp"
 
-#include "particles/grid_pointer.hpp"
+#include <hgrid/hgrid.hpp>
 
 namespace packing::event {
 
@@ -11,15 +11,12 @@ size_t count_overlaps(const Box &box, const std::vector<Vector> &centers, const 
   hg_grid_def def = hg_default_grid_def();
   box.describe(def);
   def.accuracy = HG_EXACT;
-  const particles::GridPointer grid = particles::create_grid(def);
+  hgrid::Grid grid(def);
   std::vector<double> flat;
   flat.reserve(centers.size() * static_cast<size_t>(box.dimension()));
   for (const Vector &center : centers) flat.insert(flat.end(), center.data(), center.data() + box.dimension());
-  particles::require(hg_insert(grid.get(), radii.size(), flat.data(), radii.data()));
-  const hg_pair *pairs = nullptr;
-  size_t count = 0;
-  particles::require(hg_query_pairs(grid.get(), &pairs, &count));
-  return count;
+  grid.insert(radii.size(), flat.data(), radii.data());
+  return grid.query_pairs().size();
 }
 
 size_t count_beyond_walls(const Box &box, const std::vector<Vector> &centers, const std::vector<double> &radii) {

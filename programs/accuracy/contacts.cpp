@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "programs/accuracy/contacts.hpp"
 
-#include "particles/grid_handle.hpp"
+#include "particles/insert.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 namespace accuracy {
 
 std::vector<hg_pair> found_pairs(const hg_grid_def &def, const particles::ParticleSet &particles) {
-  particles::Grid grid(def);
-  grid.insert(particles);
-  const particles::Borrowed<hg_pair> pairs = grid.pairs();
+  hgrid::Grid grid(def);
+  particles::insert(particles, grid);
+  const hgrid::View<hg_pair> pairs = grid.query_pairs();
   return {pairs.begin(), pairs.end()};
 }
 

@@ -3,6 +3,8 @@
 // Processes by fork alone: a child sees the particles of its parent without a copy.
 #include "programs/bench/child.hpp"
 
+#include "particles/error.hpp"
+
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -35,7 +37,7 @@ std::vector<int> &parent_ends() {
     Channel channel(in, out);
     work(channel);
   } catch (const std::exception &error) {
-    std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), particles::message_of(error).c_str());
     status = 1;
   }
   std::fflush(nullptr);

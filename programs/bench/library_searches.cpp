@@ -3,7 +3,7 @@
 // Contestants that call the public C interface.
 #include "programs/bench/library_searches.hpp"
 
-#include "particles/grid_handle.hpp"
+#include "particles/insert.hpp"
 #include "programs/bench/child.hpp"
 #include "programs/measure/search_timer.hpp"
 #include "programs/measure/step_timer.hpp"
@@ -24,12 +24,15 @@ constexpr const char *kIsaVariable = "HGRID_ISA";
 bool usable(const char *isa) {
   Child probe("instruction set", [isa](Channel &channel) {
     setenv(kIsaVariable, isa, 1);
-    hg_grid *grid = nullptr;
-    const double center[3] = {}, radius = 1;
-    hg_status status = hg_create(nullptr, &grid);
-    if (status == HG_OK) status = hg_insert(grid, 1, center, &radius);
-    if (status == HG_OK) status = hg_build(grid);
-    hg_destroy(grid);
+    hg_status status = HG_OK;
+    try {
+      const double center[3] = {}, radius = 1;
+      hgrid::Grid grid;
+      grid.insert(1, center, &radius);
+      grid.build();
+    } catch (const hgrid::Error &error) {
+      status = error.status();
+    }
     channel.send(status);
   });
   const hg_status status = probe.channel().receive<hg_status>();
@@ -58,14 +61,14 @@ std::string variant_of(const LibrarySetting &setting) {
   return text;
 }
 
-Details details_of(particles::Grid &grid, size_t count) {
+Details details_of(hgrid::Grid &grid, size_t count) {
   Details details;
-  const particles::Borrowed<hg_level> levels = grid.levels();
-  details.levels = static_cast<double>(levels.count);
+  const hgrid::View<hg_level> levels = grid.query_levels();
+  details.levels = static_cast<double>(levels.size());
   for (const hg_level &level : levels) details.occupancy = std::max(details.occupancy, level.occupancy);
-  const std::optional<hg_level_cost> cost = measure::expected_cost(grid, levels.count);
+  const std::optional<hg_level_cost> cost = measure::expected_cost(grid, levels.size());
   if (cost) details.predicted_cost = cost->cost;
-  details.candidates = static_cast<double>(grid.stats().candidate_count) / static_cast<double>(count);
+  details.candidates = static_cast<double>(grid.get_stats().candidate_count) / static_cast<double>(count);
   return details;
 }
 
@@ -98,7 +101,7 @@ Contestant library_search(const LibrarySetting &setting) {
     Search search;
     search.run = [timer](PairView &pairs) {
       timer->run();
-      pairs = {timer->pairs().data, timer->pairs().count};
+      pairs = timer->pairs();
       return timer->seconds().back();
     };
     search.details = [timer, count = set.count()] { return details_of(timer->grid(), count); };
@@ -118,14 +121,14 @@ Contestant library_steps(const LibrarySetting &setting, double skin, int steps, 
     search.run = [=, &set](PairView &pairs) {
       measure::Flight flight(set, longest_step);
       grid->start_at(set);  // every run begins with candidates that have just been stored
-      const auto searched_before = grid->grid().stats().search_count;
+      const auto searched_before = grid->grid().get_stats().search_count;
       double seconds = 0;
       for (int k = 0; k < steps; k++) {
         flight.step();
         seconds += measure::seconds_of([&] { grid->step(flight.particles()); });
       }
-      pairs = {grid->pairs().data, grid->pairs().count};
-      *searches = static_cast<double>(grid->grid().stats().search_count - searched_before) / steps;
+      pairs = grid->pairs();
+      *searches = static_cast<double>(grid->grid().get_stats().search_count - searched_before) / steps;
       return seconds / steps;
     };
     search.details = [=, count = set.count()] {
@@ -148,10 +151,10 @@ std::vector<double> cell_sizes_of_paper(const particles::ParticleSet &set, int l
   LibrarySetting setting;
   setting.levels_of_paper = true;
   setting.level_count = level_count;
-  particles::Grid grid(def_of(setting, set));
-  grid.insert(set);
+  hgrid::Grid grid(def_of(setting, set));
+  particles::insert(set, grid);
   std::vector<double> sizes;
-  for (const hg_level &level : grid.levels()) sizes.push_back(level.cell_size);
+  for (const hg_level &level : grid.query_levels()) sizes.push_back(level.cell_size);
   return sizes;
 }
 

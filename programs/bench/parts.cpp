@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // hgrid_parts: what each call of the library costs by itself, through Google Benchmark. One thread.
 #include "packing/packing.hpp"
-#include "particles/grid_handle.hpp"
+#include "particles/insert.hpp"
 
-#include <hgrid/hgrid.h>
+#include <hgrid/hgrid.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -30,13 +30,12 @@ const particles::ParticleSet &particles_of(const benchmark::State &state) {
 class FilledGrid {
  public:
   explicit FilledGrid(const benchmark::State &state) : set_(&particles_of(state)), grid_(serial()) {
-    grid_.insert(*set_);
-    grid_.pairs();  // memory is there from now on
+    particles::insert(*set_, grid_);
+    grid_.query_pairs();  // memory is there from now on
   }
   // Moving to the same places makes the grid forget what it has built and found.
-  void forget() { particles::check(hg_move(get(), set_->count(), set_->centers.data(), nullptr)); }
-  hg_grid *get() { return grid_.get(); }
-  particles::Grid &grid() { return grid_; }
+  void forget() { grid_.move(set_->count(), set_->centers.data()); }
+  hgrid::Grid &grid() { return grid_; }
   const particles::ParticleSet &set() const { return *set_; }
 
  private:
@@ -47,7 +46,7 @@ class FilledGrid {
   }
 
   const particles::ParticleSet *set_;
-  particles::Grid grid_;
+  hgrid::Grid grid_;
 };
 
 // Times `part`; `before` comes before each run, off the clock.
@@ -67,7 +66,7 @@ void run(benchmark::State &state, FilledGrid &grid, Before before, Part part) {
 void insert(benchmark::State &state) {
   FilledGrid grid(state);
   run(
-      state, grid, [&] { particles::check(hg_clear(grid.get())); }, [&] { grid.grid().insert(grid.set()); });
+      state, grid, [&] { grid.grid().clear(); }, [&] { particles::insert(grid.set(), grid.grid()); });
 }
 
 void move(benchmark::State &state) {
@@ -89,12 +88,7 @@ void search(benchmark::State &state) {
     grid.forget();
     grid.grid().build();
   };
-  run(state, grid, before, [&] { benchmark::DoNotOptimize(grid.grid().pairs().data); });
-}
-
-int32_t count_pairs(void *context, const hg_pair *, size_t count) {
-  *static_cast<size_t *>(context) += count;
-  return 0;
+  run(state, grid, before, [&] { benchmark::DoNotOptimize(grid.grid().query_pairs().data()); });
 }
 
 void visit(benchmark::State &state) {
@@ -104,7 +98,8 @@ void visit(benchmark::State &state) {
     grid.forget();
     grid.grid().build();
   };
-  run(state, grid, before, [&] { grid.grid().visit_pairs(count_pairs, &pairs); });
+  run(state, grid, before,
+      [&] { grid.grid().visit_pairs([&](hgrid::View<hg_pair> batch) { pairs += batch.size(); }); });
   benchmark::DoNotOptimize(pairs);
 }
 
@@ -114,12 +109,7 @@ void neighbors(benchmark::State &state) {
     grid.forget();
     grid.grid().build();
   };
-  run(state, grid, before, [&] {
-    const int64_t *offsets = nullptr;
-    const int32_t *list = nullptr;
-    particles::check(hg_query_neighbors(grid.get(), HG_FULL, &offsets, &list));
-    benchmark::DoNotOptimize(list);
-  });
+  run(state, grid, before, [&] { benchmark::DoNotOptimize(grid.grid().query_neighbors(HG_FULL).ids.data()); });
 }
 
 void sizes(benchmark::internal::Benchmark *benchmark) {

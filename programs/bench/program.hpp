@@ -3,6 +3,8 @@
 // The frame of a program with options: what is wrong with them or with its work is told on standard error.
 #pragma once
 
+#include "particles/error.hpp"
+
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
@@ -19,7 +21,7 @@ int run_program(CLI::App &command, const char *name, int argc, char **argv, Work
   } catch (const CLI::Error &error) {
     return command.exit(error);
   } catch (const std::exception &error) {
-    std::fprintf(stderr, "%s: %s\n", name, error.what());
+    std::fprintf(stderr, "%s: %s\n", name, particles::message_of(error).c_str());
     return 1;
   }
 }

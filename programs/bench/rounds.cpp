@@ -55,14 +55,14 @@ void serve(const Contestant &contestant, const particles::ParticleSet &particles
       case Order::kRun: {
         Report report;
         report.seconds = search.run(pairs);
-        report.pairs = pairs.count;
+        report.pairs = pairs.size();
         report.peak_bytes = peak_bytes() - bytes_before;
         if (search.details) report.details = search.details();
         channel.send(report);
         break;
       }
       case Order::kSendPairs:
-        channel.send_array(sorted(pairs.data, pairs.count));
+        channel.send_array(sorted(pairs.data(), pairs.size()));
         break;
       case Order::kEnd:
         return;

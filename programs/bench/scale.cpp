@@ -4,7 +4,7 @@
 // order, places at random, density 0.62, nothing relaxed.
 #include "packing/packing.hpp"
 #include "particles/error.hpp"
-#include "particles/grid_handle.hpp"
+#include "particles/insert.hpp"
 #include "particles/text/lists.hpp"
 #include "particles/text/number.hpp"
 
@@ -59,14 +59,15 @@ void search(const Arguments &arguments) {
   hg_grid_def def = hg_default_grid_def();
   def.thread_count = static_cast<int32_t>(arguments.threads);
   const auto start = std::chrono::steady_clock::now();
-  particles::Grid grid(def);
-  grid.insert(set);
-  const size_t pair_count = grid.pairs().count;
+  hgrid::Grid grid(def);
+  particles::insert(set, grid);
+  const size_t pair_count = grid.query_pairs().size();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   std::printf("%zu pairs on %d levels in %.1f s, %.0f ns per particle\n", pair_count,
-              static_cast<int>(grid.stats().level_count), seconds, 1e9 * seconds / static_cast<double>(set.count()));
+              static_cast<int>(grid.get_stats().level_count), seconds,
+              1e9 * seconds / static_cast<double>(set.count()));
   std::printf("peak memory of the process %.2f GiB, 32 bytes per particle of it the input\n",
               static_cast<double>(usage.ru_maxrss) / 1048576.0);
 }

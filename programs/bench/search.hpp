@@ -5,7 +5,7 @@
 
 #include "particles/particle_set.hpp"
 
-#include <hgrid/types.h>
+#include <hgrid/hgrid.hpp>
 
 #include <cstddef>
 #include <functional>
@@ -14,10 +14,7 @@
 namespace bench {
 
 // Pairs that belong to whoever found them, until the next search; a < b, in any order.
-struct PairView {
-  const hg_pair *data = nullptr;
-  size_t count = 0;
-};
+using PairView = hgrid::View<hg_pair>;
 
 // What a search tells about its last run. Negative: not known.
 struct Details {

@@ -19,7 +19,7 @@ std::vector<hg_pair> pairs_of_library(const particles::ParticleSet &particles, A
     const Search search = library_search(setting).prepare(particles);
     PairView pairs;
     search.run(pairs);
-    channel.send_array(sorted(pairs.data, pairs.count));
+    channel.send_array(sorted(pairs.data(), pairs.size()));
   });
   const std::vector<hg_pair> pairs = searcher.channel().receive_array<hg_pair>();
   searcher.wait();

@@ -4,6 +4,7 @@
 #include "programs/hgrid/grid_options.hpp"
 
 #include "particles/error.hpp"
+#include "particles/insert.hpp"
 #include "programs/hgrid/arguments.hpp"
 
 #include <CLI/CLI.hpp>
@@ -98,15 +99,14 @@ void add_grid_options(CLI::App &command, GridOptions &options) {
       ->group(group);
 }
 
-particles::Grid filled_grid(const GridOptions &options, const particles::ParticleSet &particles,
-                            const std::string &file) {
+hgrid::Grid filled_grid(const GridOptions &options, const particles::ParticleSet &particles, const std::string &file) {
   const std::vector<double> cell_sizes = number_list("--cell-sizes", options.cell_sizes);
   try {
-    particles::Grid grid(grid_def(options, particles, cell_sizes));
-    grid.insert(particles);
+    hgrid::Grid grid(grid_def(options, particles, cell_sizes));
+    particles::insert(particles, grid);
     return grid;
-  } catch (const particles::Error &error) {
-    throw particles::Error(file, 0, error.what());
+  } catch (const hgrid::Error &error) {
+    throw particles::Error(file, 0, particles::message_of(error));
   }
 }
 

@@ -3,10 +3,9 @@
 // Options of every command that searches: how the grid works.
 #pragma once
 
-#include "particles/grid_handle.hpp"
 #include "particles/particle_set.hpp"
 
-#include <hgrid/hgrid.h>
+#include <hgrid/hgrid.hpp>
 
 #include <string>
 
@@ -44,7 +43,6 @@ void add_price_options(CLI::App &command, double &level_price, double &row_price
 
 // A grid for these particles as the options say; dimension, box and periodic axes are theirs. `file` is named where the
 // library refuses them.
-particles::Grid filled_grid(const GridOptions &options, const particles::ParticleSet &particles,
-                            const std::string &file);
+hgrid::Grid filled_grid(const GridOptions &options, const particles::ParticleSet &particles, const std::string &file);
 
 }  // namespace command

@@ -5,7 +5,7 @@
 #include "particles/text/output.hpp"
 #include "programs/hgrid/command.hpp"
 
-#include <hgrid/hgrid.h>
+#include <hgrid/hgrid.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -83,6 +83,8 @@ int main(int argc, char **argv) {
     return run(argc, argv);
   } catch (const particles::Error &error) {
     std::fprintf(stderr, "hgrid: %s\n", error.what());
+  } catch (const hgrid::Error &error) {
+    std::fprintf(stderr, "hgrid: %s\n", particles::message_of(error).c_str());
   } catch (const std::bad_alloc &) {
     std::fputs("hgrid: not enough memory\n", stderr);
   } catch (const std::exception &error) {

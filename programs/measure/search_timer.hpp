@@ -3,11 +3,11 @@
 // How the library is timed: from double arrays in memory to the complete list of pairs.
 #pragma once
 
-#include "particles/grid_handle.hpp"
+#include "particles/insert.hpp"
 #include "programs/measure/statistics.hpp"
 #include "programs/measure/timing.hpp"
 
-#include <hgrid/hgrid.h>
+#include <hgrid/hgrid.hpp>
 
 #include <optional>
 #include <vector>
@@ -35,9 +35,9 @@ class SearchTimer {
   // The grid is cleared, so neither levels nor pairs of the last run can be reused.
   void run() {
     seconds_.push_back(seconds_of([this] {
-      particles::check(hg_clear(grid_.get()));
-      grid_.insert(*particles_);
-      pairs_ = grid_.pairs();
+      grid_.clear();
+      particles::insert(*particles_, grid_);
+      pairs_ = grid_.query_pairs();
     }));
   }
 
@@ -45,20 +45,20 @@ class SearchTimer {
   const std::vector<double> &seconds() const { return seconds_; }
   double ns_per_particle() const { return 1e9 * median(seconds_) / static_cast<double>(particles_->count()); }
   // Of the last run.
-  const particles::Borrowed<hg_pair> &pairs() const { return pairs_; }
-  particles::Grid &grid() { return grid_; }
-  size_t level_count() { return grid_.levels().count; }
+  const hgrid::View<hg_pair> &pairs() const { return pairs_; }
+  hgrid::Grid &grid() { return grid_; }
+  size_t level_count() { return grid_.query_levels().size(); }
 
  private:
-  particles::Grid grid_;
+  hgrid::Grid grid_;
   const particles::ParticleSet *particles_;
-  particles::Borrowed<hg_pair> pairs_;
+  hgrid::View<hg_pair> pairs_;
   std::vector<double> seconds_;
 };
 
 // What the library expects of a search on so many levels, if it can make as many. The grid must be filled.
-inline std::optional<hg_level_cost> expected_cost(particles::Grid &grid, size_t level_count) {
-  for (const hg_level_cost &cost : grid.level_costs()) {
+inline std::optional<hg_level_cost> expected_cost(hgrid::Grid &grid, size_t level_count) {
+  for (const hg_level_cost &cost : grid.query_level_costs()) {
     if (cost.reachable != 0 && static_cast<size_t>(cost.level_count) == level_count) return cost;
   }
   return std::nullopt;
@@ -70,7 +70,7 @@ inline std::vector<SearchTimer> timers_by_level_count(hg_grid_def def, const par
   std::vector<SearchTimer> timers;
   for (def.level_count = 1; def.level_count <= most; def.level_count++) {
     SearchTimer timer(def, particles);
-    timer.grid().insert(particles);
+    particles::insert(particles, timer.grid());
     if (timer.level_count() == static_cast<size_t>(def.level_count)) timers.push_back(std::move(timer));
   }
   return timers;

@@ -4,12 +4,12 @@
 #pragma once
 
 #include "packing/random.hpp"
-#include "particles/grid_handle.hpp"
+#include "particles/insert.hpp"
 #include "particles/particle_set.hpp"
 #include "programs/measure/statistics.hpp"
 #include "programs/measure/timing.hpp"
 
-#include <hgrid/hgrid.h>
+#include <hgrid/hgrid.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -71,14 +71,14 @@ class MovingGrid {
 
   // Anew, in the memory that is there; ends with candidates that have just been stored.
   void start_at(const particles::ParticleSet &start) {
-    particles::check(hg_clear(grid_.get()));
-    grid_.insert(start);
-    pairs_ = grid_.pairs();
+    grid_.clear();
+    particles::insert(start, grid_);
+    pairs_ = grid_.query_pairs();
     count_searches();
   }
   void step(const particles::ParticleSet &particles) {
-    particles::check(hg_move(grid_.get(), particles.count(), particles.centers.data(), nullptr));
-    pairs_ = grid_.pairs();
+    grid_.move(particles.count(), particles.centers.data());
+    pairs_ = grid_.query_pairs();
   }
   // Whether a new search was made since this was asked last.
   bool has_searched() {
@@ -87,14 +87,14 @@ class MovingGrid {
     return searches_ > before;
   }
 
-  const particles::Borrowed<hg_pair> &pairs() const { return pairs_; }
-  particles::Grid &grid() { return grid_; }
+  const hgrid::View<hg_pair> &pairs() const { return pairs_; }
+  hgrid::Grid &grid() { return grid_; }
 
  private:
-  void count_searches() { searches_ = grid_.stats().search_count; }
+  void count_searches() { searches_ = grid_.get_stats().search_count; }
 
-  particles::Grid grid_;
-  particles::Borrowed<hg_pair> pairs_;
+  hgrid::Grid grid_;
+  hgrid::View<hg_pair> pairs_;
   int64_t searches_ = 0;
 };
 

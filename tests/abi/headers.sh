@@ -27,4 +27,9 @@ for path in "$include"/hgrid/*.h "$generated"/hgrid/*.h; do
     compile_alone "$header" c++ "$standard" "$cxx" "-Wold-style-cast"
   done
 done
+for path in "$include"/hgrid/*.hpp; do
+  for standard in c++17 c++20; do
+    compile_alone "$(basename "$path")" c++ "$standard" "$cxx" "-Wold-style-cast"
+  done
+done
 exit "$status"

@@ -4,7 +4,7 @@
 // and against the library.
 #include "packing/packing.hpp"
 #include "packing/size_law.hpp"
-#include "particles/grid_handle.hpp"
+#include "particles/insert.hpp"
 #include "programs/accuracy/search/appendix_a.hpp"
 #include "programs/measure/search_timer.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
@@ -122,16 +122,16 @@ bool the_library_finds_the_same() {
   const particles::ParticleSet particles = packing::make_packing(request, nullptr).particles;
   hg_grid_def def = measure::def_of(particles);
   def.level_rule = HG_LEVELS_PAPER;
-  particles::Grid grid(def);
-  grid.insert(particles);
+  hgrid::Grid grid(def);
+  particles::insert(particles, grid);
   const accuracy::Sizes sizes = sizes_of(request.law, request.count);
-  for (const hg_level_cost &cost : grid.level_costs()) {
+  for (const hg_level_cost &cost : grid.query_level_costs()) {
     if (cost.reachable == 0) continue;
     const auto levels = static_cast<size_t>(cost.level_count);
     const accuracy::LevelEnds ends = accuracy::levels_for(sizes, accuracy::least_m(sizes, levels), levels);
     if (!near(accuracy::occupancy_of(sizes, ends), cost.occupancy, 1e-9)) return false;
   }
-  return grid.level_costs().count > 3;
+  return grid.query_level_costs().size() > 3;
 }
 
 }  // namespace

@@ -79,10 +79,8 @@ void sphere_query(void **) {
       particles.centers.resize(particles.centers.size() - 3);
       particles.radii.pop_back();
       const Grid grid = make_grid(hg_default_grid_def(), particles);
-      const int32_t *ids = nullptr;
-      size_t count = 0;
-      require_ok(hg_query_sphere(grid.get(), origin, R - 0x1p-10, &ids, &count), "hg_query_sphere");
-      require(count == points_inside(R), "R = " + std::to_string(R) + ": " + std::to_string(count) + " hits");
+      const hgrid::View<int32_t> ids = grid.query_sphere(origin, R - 0x1p-10);
+      require(ids.size() == points_inside(R), "R = " + std::to_string(R) + ": " + std::to_string(ids.size()) + " hits");
     }
   }));
 }

@@ -43,17 +43,13 @@ Grid filled_box(const std::vector<double> &radii, double edge, int32_t level_cou
 }
 
 std::vector<hg_level_cost> costs_of(const Grid &grid) {
-  const hg_level_cost *costs = nullptr;
-  size_t count = 0;
-  require_ok(hg_query_level_costs(grid.get(), &costs, &count), "hg_query_level_costs");
-  return std::vector<hg_level_cost>(costs, costs + count);
+  const hgrid::View<hg_level_cost> costs = grid.query_level_costs();
+  return std::vector<hg_level_cost>(costs.begin(), costs.end());
 }
 
 std::vector<hg_level> levels_of(const Grid &grid) {
-  const hg_level *levels = nullptr;
-  size_t count = 0;
-  require_ok(hg_query_levels(grid.get(), &levels, &count), "hg_query_levels");
-  return std::vector<hg_level>(levels, levels + count);
+  const hgrid::View<hg_level> levels = grid.query_levels();
+  return std::vector<hg_level>(levels.begin(), levels.end());
 }
 
 void require_near(const std::string &what, double value, double expected, double tolerance) {

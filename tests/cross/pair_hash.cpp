@@ -55,9 +55,9 @@ hg_grid_def definition(Rng &rng, int dimension) {
 }
 
 uint64_t query(const Grid &grid, size_t &count) {
-  const hg_pair *pairs = nullptr;
-  require_ok(hg_query_pairs(grid.get(), &pairs, &count), "hg_query_pairs");
-  return hash_of(pairs, count);
+  const hgrid::View<hg_pair> pairs = grid.query_pairs();
+  count = pairs.size();
+  return hash_of(pairs.data(), count);
 }
 
 // A search, and one step of small moves, which stored candidates answer where there is a skin.
@@ -68,11 +68,11 @@ void print_scene(uint64_t seed) {
   hg_grid_def def = definition(rng, dimension);
   def.skin = rng.chance(0.7) ? 0.002 : 0;
   Particles particles = fill(rng, dimension, size_ratio);
-  const Grid grid = make_grid(def, particles);
+  Grid grid = make_grid(def, particles);
   size_t count = 0, moved_count = 0;
   const uint64_t hash = query(grid, count);
   for (double &x : particles.centers) x += rng.uniform(-0.0003, 0.0003);
-  require_ok(hg_move(grid.get(), particles.count(), particles.centers.data(), nullptr), "hg_move");
+  grid.move(particles.count(), particles.centers.data());
   const uint64_t moved_hash = query(grid, moved_count);
   std::printf("seed %2" PRIu64 ": %dD, %5zu particles, %6zu pairs, hash %016" PRIx64 "; moved: %6zu, %016" PRIx64 "\n",
               seed, dimension, particles.count(), count, hash, moved_count, moved_hash);

@@ -64,13 +64,13 @@ bool search_agrees(double offset) {
   const dem::PairView found = search.find(setup.centers.data(), nullptr, offset);
   Pairs listed;
   bool ascending = true;
-  for (size_t p = 0; p < found.count; p++) {
-    ascending = ascending && (listed.empty() || *listed.rbegin() < std::make_pair(found.data[p].a, found.data[p].b));
-    listed.insert({found.data[p].a, found.data[p].b});
+  for (size_t p = 0; p < found.size(); p++) {
+    ascending = ascending && (listed.empty() || *listed.rbegin() < std::make_pair(found[p].a, found[p].b));
+    listed.insert({found[p].a, found[p].b});
   }
   const Pairs expected = pairs_by_images(setup, offset);
   std::printf("offset %g: %zu pairs, %zu by images\n", offset, listed.size(), expected.size());
-  return ascending && !listed.empty() && listed.size() == found.count && listed == expected;
+  return ascending && !listed.empty() && listed.size() == found.size() && listed == expected;
 }
 
 void pairs_across_sheared_faces_are_all_found(void **) {

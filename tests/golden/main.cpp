@@ -55,7 +55,7 @@ uint64_t hash_of(const particles::ParticleSet &particles) {
 Pairs search(GoldenScene &scene, int32_t order, int threads) {
   scene.def.pair_order = order;
   scene.def.thread_count = threads;
-  return pairs_of(hgtest::make_grid(scene.def, scene.particles));
+  return hgtest::pairs_of(hgtest::make_grid(scene.def, scene.particles));
 }
 
 std::string line_of(const GoldenScene &scene, const Pairs &by_id, const Pairs &as_found) {

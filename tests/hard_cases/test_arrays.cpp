@@ -44,20 +44,18 @@ void odd_addresses(void **) {
     const hg_grid_def def = hg_default_grid_def();
     const Pairs expected = all_pairs(def, particles, exact_interact);
     const Misaligned<double> centers(particles.centers), radii(particles.radii);
-    const Grid grid = make_grid(def);
-    require_ok(hg_insert(grid.get(), particles.count(), centers.get(), radii.get()), "hg_insert");
+    Grid grid(def);
+    grid.insert(particles.count(), centers.get(), radii.get());
     require_same("inserted", sorted_pairs_of(grid), expected);
-    require_ok(hg_move(grid.get(), particles.count(), centers.get(), radii.get()), "hg_move");
+    grid.move(particles.count(), centers.get(), radii.get());
     require_same("moved", sorted_pairs_of(grid), expected);
     const Misaligned<double> center({5, 5, 5});
-    const int32_t *found = nullptr;
-    size_t count = 0;
-    require_ok(hg_query_sphere(grid.get(), center.get(), 1, &found, &count), "hg_query_sphere");
+    const hgrid::View<int32_t> found = grid.query_sphere(center.get(), 1);
     const double same[3] = {5, 5, 5};
-    require_same("sphere", std::vector<int32_t>(found, found + count),
+    require_same("sphere", std::vector<int32_t>(found.begin(), found.end()),
                  all_in_sphere(def, particles, {same, 1}, exact_interact));
     const Misaligned<int32_t> ids(std::vector<int32_t>{3, 77});
-    require_ok(hg_remove(grid.get(), 2, ids.get()), "hg_remove");
+    grid.remove(2, ids.get());
     for (const hg_pair &pair : pairs_of(grid)) {
       require(pair.a != 3 && pair.b != 3 && pair.a != 77 && pair.b != 77, "a removed particle has a pair");
     }
@@ -67,8 +65,9 @@ void odd_addresses(void **) {
 void bad_values_at_odd_addresses_are_named(void **) {
   assert_true(holds(2, [](uint64_t) {
     const Misaligned<double> centers({0, 0, 0, 1, 1, 1}), radii({1, -1});
-    const Grid grid = make_grid(hg_default_grid_def());
-    require(hg_insert(grid.get(), 2, centers.get(), radii.get()) == HG_ERR_ARGUMENT, "a negative radius is taken");
+    Grid grid;
+    const hg_status status = status_of([&] { grid.insert(2, centers.get(), radii.get()); });
+    require(status == HG_ERR_ARGUMENT, "a negative radius is taken");
     require(std::strstr(hg_last_error(), "radii[1]") != nullptr, std::string("not named: ") + hg_last_error());
   }));
 }

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 
 namespace {
 
@@ -20,10 +21,8 @@ struct Counted {
 
 Counted count_pairs(const hg_grid_def &def, const Particles &particles) {
   const Grid grid = make_grid(def, particles);
-  Counted counted;
-  counted.pairs = sorted_pairs_of(grid);
-  require_ok(hg_get_stats(grid.get(), &counted.stats, sizeof counted.stats), "hg_get_stats");
-  return counted;
+  Pairs pairs = sorted_pairs_of(grid);
+  return {std::move(pairs), grid.get_stats()};
 }
 
 // Tests and places grow with the particles and pairs alone; the factors are several times what is needed now.
@@ -120,18 +119,6 @@ void power_law_at_ratio_1e6(void **) {
   }));
 }
 
-struct Tally {
-  size_t pairs = 0, batches = 0;
-  int64_t sum = 0;
-};
-int32_t tally(void *context, const hg_pair *pairs, size_t count) {
-  Tally *t = static_cast<Tally *>(context);
-  t->pairs += count;
-  t->batches++;
-  for (size_t p = 0; p < count; p++) t->sum += pairs[p].a + pairs[p].b;
-  return 0;
-}
-
 // N (N - 1) / 2 pairs, in which each id comes N - 1 times; visited, they are never in memory together.
 void ten_thousand_at_one_point(void **) {
   assert_true(holds(0, [](uint64_t) {
@@ -140,13 +127,17 @@ void ten_thousand_at_one_point(void **) {
     const double center[3] = {1, 2, 3};
     for (int i = 0; i < kCount; i++) particles.add(center, 0.1);
     const Grid grid = make_grid(hg_default_grid_def(), particles);
-    Tally t;
-    require_ok(hg_visit_pairs(grid.get(), tally, &t), "hg_visit_pairs");
-    require(t.pairs == kCount * (kCount - 1) / 2, std::to_string(t.pairs) + " pairs");
-    require(t.sum == kCount * (kCount - 1) / 2 * (kCount - 1), "wrong ids");
-    require(t.batches > 1, "all pairs in one batch");
-    hg_grid_stats stats;
-    require_ok(hg_get_stats(grid.get(), &stats, sizeof stats), "hg_get_stats");
+    size_t pairs = 0, batches = 0;
+    int64_t sum = 0;
+    grid.visit_pairs([&](hgrid::View<hg_pair> batch) {
+      pairs += batch.size();
+      batches++;
+      for (const hg_pair &pair : batch) sum += pair.a + pair.b;
+    });
+    require(pairs == kCount * (kCount - 1) / 2, std::to_string(pairs) + " pairs");
+    require(sum == kCount * (kCount - 1) / 2 * (kCount - 1), "wrong ids");
+    require(batches > 1, "all pairs in one batch");
+    const hg_grid_stats stats = grid.get_stats();
     require(stats.candidate_count == kCount * (kCount - 1) / 2, "pairs were tested twice");
     require(stats.byte_count < 512 * kCount, "the pairs were stored");
   }));
@@ -157,11 +148,6 @@ constexpr bool kSlowBuild = true;
 #else
 constexpr bool kSlowBuild = false;
 #endif
-
-int32_t count_only(void *context, const hg_pair *, size_t count) {
-  *static_cast<int64_t *>(context) += static_cast<int64_t>(count);
-  return 0;
-}
 
 // Counts and offsets of pairs have 64 bits.
 void more_than_2_31_pairs(void **) {
@@ -174,10 +160,9 @@ void more_than_2_31_pairs(void **) {
     for (int i = 0; i < kCount; i++) particles.add(center, 0.1);
     const Grid grid = make_grid(hg_default_grid_def(), particles);
     int64_t found = 0;
-    require_ok(hg_visit_pairs(grid.get(), count_only, &found), "hg_visit_pairs");
+    grid.visit_pairs([&](hgrid::View<hg_pair> batch) { found += static_cast<int64_t>(batch.size()); });
     require(found == kPairs, std::to_string(found) + " pairs visited");
-    hg_grid_stats stats;
-    require_ok(hg_get_stats(grid.get(), &stats, sizeof stats), "hg_get_stats");
+    const hg_grid_stats stats = grid.get_stats();
     require(stats.pair_count == kPairs, std::to_string(stats.pair_count) + " pairs counted");
   }));
 }

@@ -134,20 +134,18 @@ void flush_to_zero_with_subnormal_input(void **) {
 void negative_subnormal_radius_is_refused(void **) {
   if (!kCanFlush) skip();
   assert_true(holds(0, [](uint64_t) {
-    const Grid grid = make_grid(hg_default_grid_def());
+    Grid grid;
     const double center[3] = {0, 0, 0}, negative = -0x1p-1074, zero = -0.0;
     hg_status status, sphere, fine;
     {
       const Flushing state;
-      const int32_t *ids = nullptr;
-      size_t count = 0;
-      status = hg_insert(grid.get(), 1, center, &negative);
-      sphere = hg_query_sphere(grid.get(), center, negative, &ids, &count);
-      fine = hg_insert(grid.get(), 1, center, &zero);
+      status = status_of([&] { grid.insert(1, center, &negative); });
+      sphere = status_of([&] { grid.query_sphere(center, negative); });
+      fine = status_of([&] { grid.insert(1, center, &zero); });
     }
     require(status == HG_ERR_ARGUMENT, "hg_insert takes a negative radius");
     require(sphere == HG_ERR_ARGUMENT, "hg_query_sphere takes a negative radius");
-    require_ok(fine, "hg_insert of a radius of -0.0");
+    require(fine == HG_OK, "hg_insert refuses a radius of -0.0");
   }));
 }
 

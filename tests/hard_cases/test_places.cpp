@@ -55,12 +55,10 @@ void no_volume_gives_finite_levels(void **) {
           def.level_rule = rule;
           const Grid grid = make_grid(def, particles);
           require_same("no volume", sorted_pairs_of(grid), all_pairs(def, particles, exact_interact));
-          const hg_level *levels = nullptr;
-          size_t count = 0;
-          require_ok(hg_query_levels(grid.get(), &levels, &count), "hg_query_levels");
-          require(count >= 1, "no level");
-          for (size_t h = 0; h < count; h++) {
-            require(std::isfinite(levels[h].cell_size) && std::isfinite(levels[h].occupancy), "a level is not finite");
+          const hgrid::View<hg_level> levels = grid.query_levels();
+          require(!levels.empty(), "no level");
+          for (const hg_level &level : levels) {
+            require(std::isfinite(level.cell_size) && std::isfinite(level.occupancy), "a level is not finite");
           }
         }
       }
@@ -94,10 +92,10 @@ void contact_crosses_the_faces(void **) {
       def.box_min[k] = -1;
       def.box_max[k] = 1;
     }
-    const Grid grid = make_grid(def);
+    Grid grid(def);
     double centers[6] = {0, 0, 0, 0.19, 0, 0};
     const double radii[2] = {0.1, 0.1};
-    require_ok(hg_insert(grid.get(), 2, centers, radii), "hg_insert");
+    grid.insert(2, centers, radii);
     for (int step = 0; step < 300; step++) {
       require_same("the contact", pairs_of(grid), {{0, 1}});
       for (int i = 0; i < 6; i++) centers[i] += 0.017 * (1 + i % 3);
@@ -105,7 +103,7 @@ void contact_crosses_the_faces(void **) {
       for (int i = 0; i < 6; i++) {
         wrapped[i] = step % 2 == 0 ? centers[i] : centers[i] - 2 * std::floor((centers[i] + 1) / 2);
       }
-      require_ok(hg_move(grid.get(), 2, wrapped, nullptr), "hg_move");
+      grid.move(2, wrapped);
     }
   }));
 }

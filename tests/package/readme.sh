@@ -35,6 +35,7 @@ build_block() {
   # shellcheck disable=SC2046  # lists of words
   case $language in
   c) "$compiler" -std=c99 -Wall -Wextra -Werror -x c "$1" $(pkg-config --cflags --libs hgrid) -o "$2" ;;
+  cpp) "$compiler" -std=c++17 -Wall -Wextra -Werror -x c++ "$1" -x none $(pkg-config --cflags --libs hgrid) -o "$2" ;;
   fortran) "$compiler" -x f95 -ffree-form "$1" -x none $(pkg-config --cflags --libs hgrid-fortran) -o "$2" ;;
   python) printf '#!/bin/sh\nexec "%s" "%s"\n' "$compiler" "$1" >"$2" && chmod +x "$2" ;;
   *) echo "no way to run a block of language '$language'" && exit 1 ;;

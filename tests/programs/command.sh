@@ -5,6 +5,7 @@
 # search of all pairs in awk, on coordinates that are multiples of 1/64, where doubles are exact.
 hgrid=$(realpath "$1")
 version=$2
+scenes=$(realpath "$(dirname "${BASH_SOURCE[0]}")/../../scenes")
 # shellcheck source=tests/support/checks.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../support/checks.sh"
 
@@ -158,6 +159,10 @@ test_failures() {
   fails 1 "hgrid: bad.csv:3: 'oops' in column 'y' is not a number" pairs bad.csv
   fails 1 "hgrid: bad.csv:3: 'oops' in column 'y' is not a number" levels bad.csv
   fails 1 "four.csv: HG_ERR_ARGUMENT" pairs four.csv --cell-sizes 0.5
+  # The library refuses before or in the midst of the work: its status and text, and where it was.
+  HGRID_ISA=none fails 1 "hgrid: four.csv: HG_ERR_ARGUMENT: HGRID_ISA = none:" pairs four.csv
+  HGRID_ISA=none fails 1 "hgrid: HG_ERR_ARGUMENT: HGRID_ISA = none:" pack --count 10 --output pack.csv
+  HGRID_ISA=none fails 1 "pack: HG_ERR_ARGUMENT: HGRID_ISA = none:" run "$scenes/gas.toml"
   fails 1 "no/such/folder.csv: cannot write" pairs four.csv --output no/such/folder.csv
   [ -e bad.out ] && fault "bad.out exists before its test"
   fails 1 "bad.csv:3:" pairs bad.csv --output bad.out

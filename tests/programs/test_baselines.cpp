@@ -3,14 +3,14 @@
 // The baseline searches and the library against a comparison of all pairs, on packings of all laws.
 #include "packing/packing.hpp"
 #include "packing/random.hpp"
-#include "particles/grid_handle.hpp"
+#include "particles/insert.hpp"
 #include "programs/bench/hashed_grid.hpp"
 #include "programs/bench/hierarchical_grid.hpp"
 #include "programs/bench/linked_cell.hpp"
 #include "programs/bench/pair_sets.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 
-#include <hgrid/hgrid.h>
+#include <hgrid/hgrid.hpp>
 
 #include <cstdio>
 #include <stdexcept>
@@ -62,11 +62,11 @@ std::vector<hg_pair> library_pairs(const particles::ParticleSet &set, std::vecto
   def.dimension = set.dimension;
   def.accuracy = HG_DOUBLE;
   def.level_rule = HG_LEVELS_PAPER;
-  particles::Grid grid(def);
-  grid.insert(set);
+  hgrid::Grid grid(def);
+  particles::insert(set, grid);
   sizes.clear();
-  for (const hg_level &level : grid.levels()) sizes.push_back(level.cell_size);
-  const particles::Borrowed<hg_pair> pairs = grid.pairs();
+  for (const hg_level &level : grid.query_levels()) sizes.push_back(level.cell_size);
+  const hgrid::View<hg_pair> pairs = grid.query_pairs();
   return std::vector<hg_pair>(pairs.begin(), pairs.end());
 }
 

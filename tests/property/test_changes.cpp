@@ -18,7 +18,7 @@ class Walk {
     scene_.def.skin = skin;
     pool_ = scene_.particles;
     live_.dimension = pool_.dimension;
-    grid_ = make_grid(scene_.def);
+    grid_ = Grid(scene_.def);
     next_id_ = scene_.def.index_base;
   }
 
@@ -34,7 +34,7 @@ class Walk {
       } else if (action == 8 && rng_.chance(0.2)) {
         clear();
       } else if (action == 9) {
-        require_ok(hg_build(grid_.get()), "hg_build");
+        grid_.build();
       }
       if (rng_.chance(0.7)) compare();
     }
@@ -64,7 +64,7 @@ class Walk {
       live_.add(batch.center(batch.count() - 1), batch.radii.back());
       ids_.push_back(next_id_++);
     }
-    require_ok(hg_insert(grid_.get(), batch.count(), batch.centers.data(), batch.radii.data()), "hg_insert");
+    grid_.insert(batch.count(), batch.centers.data(), batch.radii.data());
   }
 
   // Small steps, jumps, or new radii as well.
@@ -82,8 +82,7 @@ class Walk {
       }
       if (new_radii) live_.radii[i] = pool_.radii[any_of_pool()];
     }
-    require_ok(hg_move(grid_.get(), live_.count(), live_.centers.data(), new_radii ? live_.radii.data() : nullptr),
-               "hg_move");
+    grid_.move(live_.count(), live_.centers.data(), new_radii ? live_.radii.data() : nullptr);
   }
 
   void remove() {
@@ -100,13 +99,13 @@ class Walk {
         left_ids.push_back(ids_[i]);
       }
     }
-    require_ok(hg_remove(grid_.get(), gone.size(), gone.data()), "hg_remove");
+    grid_.remove(gone.size(), gone.data());
     live_ = left;
     ids_ = left_ids;
   }
 
   void clear() {
-    require_ok(hg_clear(grid_.get()), "hg_clear");
+    grid_.clear();
     live_ = Particles();
     live_.dimension = pool_.dimension;
     ids_.clear();
@@ -115,9 +114,7 @@ class Walk {
 
   void compare() {
     require_same(scene_.name.c_str(), sorted_pairs_of(grid_), all_pairs(scene_.def, live_, ids_, exact_interact));
-    hg_grid_stats stats;
-    require_ok(hg_get_stats(grid_.get(), &stats, sizeof stats), "hg_get_stats");
-    require(stats.particle_count == static_cast<int64_t>(live_.count()), "wrong number of live particles");
+    require(grid_.get_stats().particle_count == static_cast<int64_t>(live_.count()), "wrong number of live particles");
   }
 
   Rng rng_;

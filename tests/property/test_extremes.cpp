@@ -127,10 +127,10 @@ void box_short_by_less_than_rounding(void **) {
     const double b[3] = {0.75, 0, 0};
     particles.add(a, 0.25);
     particles.add(b, 0.25);
-    const Grid grid = make_grid(def);
-    const hg_status status = hg_insert(grid.get(), 2, particles.centers.data(), particles.radii.data());
+    Grid grid(def);
+    const hg_status status = status_of([&] { grid.insert(2, particles.centers.data(), particles.radii.data()); });
     if (status == HG_ERR_ARGUMENT) return;
-    require_ok(status, "hg_insert");
+    require(status == HG_OK, hg_last_error());
     require_same("short box", pairs_of(grid), all_pairs(def, particles, exact_interact));
   }));
 }
@@ -138,13 +138,13 @@ void box_short_by_less_than_rounding(void **) {
 // A reach that is no double: refused, and the grid stays usable.
 void reach_overflows(void **) {
   assert_true(holds(0, [](uint64_t) {
-    const Grid grid = make_grid(hg_default_grid_def());
+    Grid grid;
     const double centers[6] = {0, 0, 0, 1, 0, 0};
     const double huge[2] = {1e308, 1};
     const double fine[2] = {1, 1};
-    const hg_status status = hg_insert(grid.get(), 2, centers, huge);
+    const hg_status status = status_of([&] { grid.insert(2, centers, huge); });
     require(status == HG_ERR_LIMIT || status == HG_ERR_ARGUMENT, "an overflowing reach is accepted");
-    require_ok(hg_insert(grid.get(), 2, centers, fine), "hg_insert");
+    grid.insert(2, centers, fine);
     require_same("after the refusal", pairs_of(grid), {{0, 1}});
   }));
 }

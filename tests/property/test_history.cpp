@@ -7,9 +7,7 @@
 #include "tests/support/rng.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <map>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -19,10 +17,6 @@ using namespace hgtest;
 
 using List = std::vector<hg_pair>;
 using Places = std::map<std::pair<int32_t, int32_t>, int64_t>;
-
-struct DestroyHistory {
-  void operator()(hg_history *history) const { hg_history_destroy(history); }
-};
 
 Places places_of(const List &pairs) {
   Places places;
@@ -34,11 +28,7 @@ Places places_of(const List &pairs) {
 
 class Walk {
  public:
-  explicit Walk(uint64_t seed) : rng_(seed), id_bits_(rng_.integer(4, 32)), hub_(rng_.chance(0.2)) {
-    hg_history *made = nullptr;
-    require_ok(hg_history_create(&made), "hg_history_create");
-    history_.reset(made);
-  }
+  explicit Walk(uint64_t seed) : rng_(seed), id_bits_(rng_.integer(4, 32)), hub_(rng_.chance(0.2)) {}
 
   void run(int steps) {
     for (int step = 0; step < steps; step++) {
@@ -84,11 +74,10 @@ class Walk {
 
   void update() {
     const Places places = places_of(last_);
-    const int64_t *previous = nullptr;
-    require_ok(hg_history_update(history_.get(), next_.size(), next_.data(), &previous), "hg_history_update");
+    const hgrid::View<int64_t> previous = history_.update(next_.size(), next_.data());
     std::vector<int64_t> old_items(last_.size()), items(next_.size(), -1);
     for (size_t k = 0; k < last_.size(); k++) old_items[k] = static_cast<int64_t>(k) + 1;
-    require_ok(hg_history_carry(history_.get(), sizeof items[0], old_items.data(), items.data()), "hg_history_carry");
+    history_.carry(sizeof items[0], old_items.data(), items.data());
     for (size_t k = 0; k < next_.size(); k++) {
       const auto found = places.find({next_[k].a, next_[k].b});
       const int64_t expected = found == places.end() ? -1 : found->second;
@@ -101,13 +90,13 @@ class Walk {
   }
 
   void restore() {
-    require_ok(hg_history_restore(history_.get(), next_.size(), next_.data()), "hg_history_restore");
+    history_.restore(next_.size(), next_.data());
     last_ = next_;
     require_remembered();
   }
 
   void clear() {
-    require_ok(hg_history_clear(history_.get()), "hg_history_clear");
+    history_.clear();
     last_.clear();
     require_remembered();
   }
@@ -121,9 +110,11 @@ class Walk {
     for (size_t k = 0; k < next_.size(); k++) {
       if (next_[k].a == again.a && next_[k].b == again.b) places.push_back(k);
     }
-    const int64_t *previous = nullptr;
-    const hg_status status = rng_.chance(0.5) ? hg_history_update(history_.get(), next_.size(), next_.data(), &previous)
-                                              : hg_history_restore(history_.get(), next_.size(), next_.data());
+    const bool update = rng_.chance(0.5);
+    const hg_status status = status_of([&] {
+      update ? static_cast<void>(history_.update(next_.size(), next_.data()))
+             : history_.restore(next_.size(), next_.data());
+    });
     require(status == HG_ERR_ARGUMENT, "a pair that comes twice was not refused");
     const std::string text = "pairs[" + std::to_string(places[1]) + "] = (" + std::to_string(again.a) + ", " +
                              std::to_string(again.b) + ") is already listed as pairs[" + std::to_string(places[0]) +
@@ -133,17 +124,15 @@ class Walk {
   }
 
   void require_remembered() {
-    const hg_pair *pairs = nullptr;
-    size_t count = 0;
-    require_ok(hg_history_pairs(history_.get(), &pairs, &count), "hg_history_pairs");
-    require(count == last_.size() && (count == 0 || std::memcmp(pairs, last_.data(), count * sizeof *pairs) == 0),
+    const hgrid::View<hg_pair> pairs = history_.pairs();
+    require(std::equal(pairs.begin(), pairs.end(), last_.begin(), last_.end(), pair_equal),
             "another list is remembered");
   }
 
   Rng rng_;
   int id_bits_;
   bool hub_;  // most pairs share one particle
-  std::unique_ptr<hg_history, DestroyHistory> history_;
+  hgrid::History history_;
   List last_, next_;
 };
 

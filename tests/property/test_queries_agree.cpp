@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace {
@@ -30,15 +31,9 @@ bool sweep(uint64_t rounds, void (*check)(uint64_t)) {
   return all;
 }
 
-int32_t collect(void *context, const hg_pair *pairs, size_t count) {
-  Pairs *all = static_cast<Pairs *>(context);
-  all->insert(all->end(), pairs, pairs + count);
-  return 0;
-}
-
 Pairs visited(const Grid &grid) {
   Pairs pairs;
-  require_ok(hg_visit_pairs(grid.get(), collect, &pairs), "hg_visit_pairs");
+  grid.visit_pairs([&](hgrid::View<hg_pair> batch) { pairs.insert(pairs.end(), batch.begin(), batch.end()); });
   return pairs;
 }
 
@@ -87,17 +82,14 @@ void large_sets(void **) { assert_true(sweep(kSizesCount, check_large)); }
 
 // The lists hold row k's neighbours as ids; both kinds are rebuilt into pairs here.
 Pairs pairs_from_lists(const Grid &grid, const hg_grid_def &def, size_t count, int32_t list) {
-  const int64_t *offsets = nullptr;
-  const int32_t *neighbors = nullptr;
-  require_ok(hg_query_neighbors(grid.get(), list, &offsets, &neighbors), "hg_query_neighbors");
-  require(offsets[0] == 0, "offsets do not start at 0");
+  const hgrid::Rows rows = grid.query_neighbors(list);
+  require(rows.offsets[0] == 0 && rows.size() == count, "offsets do not start at 0, or do not fit the particles");
   Pairs pairs;
   for (size_t row = 0; row < count; row++) {
     const int32_t id = static_cast<int32_t>(row) + def.index_base;
-    for (int64_t k = offsets[row]; k < offsets[row + 1]; k++) {
-      require(k == offsets[row] || neighbors[k - 1] < neighbors[k], "a row does not ascend");
-      pairs.push_back({id, neighbors[k]});
-    }
+    const hgrid::View<int32_t> ids = rows[row];
+    require(std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) == ids.end(), "a row does not ascend");
+    for (const int32_t neighbor : ids) pairs.push_back({id, neighbor});
   }
   return pairs;
 }
@@ -130,10 +122,8 @@ void check_spheres(uint64_t seed) {
     for (int axis = 0; axis < scene.particles.dimension; axis++) center[axis] = a[axis] + t * (b[axis] - a[axis]);
     const double radius =
         rng.chance(0.3) ? 0 : scene.particles.radii[rng.below(count)] * std::pow(10, rng.uniform(-2, 3));
-    const int32_t *ids = nullptr;
-    size_t found = 0;
-    require_ok(hg_query_sphere(grid.get(), center, radius, &ids, &found), "hg_query_sphere");
-    require_same(scene.name.c_str(), std::vector<int32_t>(ids, ids + found),
+    const hgrid::View<int32_t> ids = grid.query_sphere(center, radius);
+    require_same(scene.name.c_str(), std::vector<int32_t>(ids.begin(), ids.end()),
                  all_in_sphere(scene.def, scene.particles, {center, radius}, rule));
   }
 }

@@ -37,11 +37,7 @@ class Run {
     }
   }
 
-  hg_grid_stats stats() const {
-    hg_grid_stats stats;
-    require_ok(hg_get_stats(grid_.get(), &stats, sizeof stats), "hg_get_stats");
-    return stats;
-  }
+  hg_grid_stats stats() const { return grid_.get_stats(); }
 
  private:
   static Scene draw(Rng &rng) {
@@ -86,7 +82,7 @@ class Run {
           break;
       }
     }
-    require_ok(hg_move(grid_.get(), p.count(), p.centers.data(), new_radii ? p.radii.data() : nullptr), "hg_move");
+    grid_.move(p.count(), p.centers.data(), new_radii ? p.radii.data() : nullptr);
   }
 
   void step(size_t i, double most) {
@@ -104,7 +100,7 @@ class Run {
   void compare() {
     const bool by_double = scene_.def.accuracy == HG_DOUBLE;
     const Pairs expected = all_pairs(scene_.def, scene_.particles, by_double ? double_interact : exact_interact);
-    if (rng_.chance(0.2)) require_ok(hg_build(grid_.get()), "hg_build");
+    if (rng_.chance(0.2)) grid_.build();
     if (rng_.chance(0.2)) compare_sphere(by_double);
     if (rng_.chance(0.3)) compare_visit(expected);
     require_same(scene_.name.c_str(), sorted_pairs_of(grid_), expected);
@@ -115,24 +111,15 @@ class Run {
 
   void compare_visit(const Pairs &expected) {
     Pairs visited;
-    const auto keep = [](void *context, const hg_pair *pairs, size_t count) {
-      auto *to = static_cast<Pairs *>(context);
-      to->insert(to->end(), pairs, pairs + count);
-      return int32_t{0};
-    };
-    require_ok(hg_visit_pairs(grid_.get(), keep, &visited), "hg_visit_pairs");
+    grid_.visit_pairs([&](hgrid::View<hg_pair> batch) { visited.insert(visited.end(), batch.begin(), batch.end()); });
     require_same((scene_.name + ", visited").c_str(), sorted(visited), expected);
   }
 
   void compare_neighbors(const Pairs &expected) {
-    const int64_t *offsets = nullptr;
-    const int32_t *neighbors = nullptr;
-    require_ok(hg_query_neighbors(grid_.get(), HG_HALF, &offsets, &neighbors), "hg_query_neighbors");
+    const hgrid::Rows rows = grid_.query_neighbors(HG_HALF);
     Pairs pairs;
     for (size_t i = 0; i < scene_.particles.count(); i++) {
-      for (int64_t n = offsets[i]; n < offsets[i + 1]; n++) {
-        pairs.push_back({static_cast<int32_t>(i) + scene_.def.index_base, neighbors[n]});
-      }
+      for (const int32_t id : rows[i]) pairs.push_back({static_cast<int32_t>(i) + scene_.def.index_base, id});
     }
     require_same((scene_.name + ", neighbours").c_str(), pairs, expected);
   }
@@ -142,10 +129,8 @@ class Run {
     double at[3];
     for (size_t k = 0; k < dimension(); k++) at[k] = center(near)[k] + rng_.uniform(-1, 1) * largest_;
     const Sphere sphere = {at, rng_.uniform(0, 2) * largest_};
-    const int32_t *ids = nullptr;
-    size_t count = 0;
-    require_ok(hg_query_sphere(grid_.get(), at, sphere.radius, &ids, &count), "hg_query_sphere");
-    require_same((scene_.name + ", sphere").c_str(), std::vector<int32_t>(ids, ids + count),
+    const hgrid::View<int32_t> ids = grid_.query_sphere(at, sphere.radius);
+    require_same((scene_.name + ", sphere").c_str(), std::vector<int32_t>(ids.begin(), ids.end()),
                  all_in_sphere(scene_.def, scene_.particles, sphere, by_double ? double_interact : exact_interact));
   }
 
@@ -194,11 +179,11 @@ void check_coarse_places(uint64_t seed) {
     const double x[2] = {corner + rng.integer(0, 32) * 0.25, corner + rng.integer(0, 32) * 0.25};
     particles.add(x, 0.25 * rng.integer(0, 4));
   }
-  const Grid grid = make_grid(def, particles);
+  Grid grid = make_grid(def, particles);
   for (int step = 0; step < 6; step++) {
     require_same("coarse places", sorted_pairs_of(grid), all_pairs(def, particles, exact_interact));
     for (double &x : particles.centers) x += rng.integer(-1, 1) * (rng.chance(0.5) ? unit : 0.0625);
-    require_ok(hg_move(grid.get(), particles.count(), particles.centers.data(), nullptr), "hg_move");
+    grid.move(particles.count(), particles.centers.data());
   }
 }
 void coarse_places(void **) {
@@ -210,13 +195,13 @@ void coarse_places(void **) {
 Pairs after_steps(const Scene &start, double step, int threads, int steps) {
   hg_grid_def def = start.def;
   def.thread_count = threads;
-  const Grid grid = make_grid(def, start.particles);
+  Grid grid = make_grid(def, start.particles);
   Particles particles = start.particles;
   Rng rng(7);
   Pairs all = pairs_of(grid);
   for (int k = 0; k < steps; k++) {
     for (double &x : particles.centers) x += rng.uniform(-step, step);
-    require_ok(hg_move(grid.get(), particles.count(), particles.centers.data(), nullptr), "hg_move");
+    grid.move(particles.count(), particles.centers.data());
     const Pairs pairs = pairs_of(grid);
     all.insert(all.end(), pairs.begin(), pairs.end());
   }

@@ -22,10 +22,6 @@ void require(bool condition, const std::string &what) {
   if (!condition) throw Failure(what);
 }
 
-void require_ok(hg_status status, const char *call) {
-  if (status != HG_OK) throw Failure(std::string(call) + ": " + hg_status_string(status) + ": " + hg_last_error());
-}
-
 void require_same(const char *what, const Pairs &got, const Pairs &expected) {
   if (std::equal(got.begin(), got.end(), expected.begin(), expected.end(), pair_equal)) return;
   const oracle::Difference wrong = oracle::difference(expected, got);
@@ -42,23 +38,15 @@ void require_same(const char *what, const std::vector<int32_t> &got, const std::
                 std::to_string(std::distance(got.begin(), at.first)));
 }
 
-Grid make_grid(const hg_grid_def &def) {
-  hg_grid *grid = nullptr;
-  require_ok(hg_create(&def, &grid), "hg_create");
-  return Grid(grid);
-}
-
 Grid make_grid(const hg_grid_def &def, const Particles &particles) {
-  Grid grid = make_grid(def);
-  require_ok(hg_insert(grid.get(), particles.count(), particles.centers.data(), particles.radii.data()), "hg_insert");
+  Grid grid(def);
+  grid.insert(particles.count(), particles.centers.data(), particles.radii.data());
   return grid;
 }
 
 Pairs pairs_of(const Grid &grid) {
-  const hg_pair *pairs = nullptr;
-  size_t count = 0;
-  require_ok(hg_query_pairs(grid.get(), &pairs, &count), "hg_query_pairs");
-  return Pairs(pairs, pairs + count);
+  const hgrid::View<hg_pair> pairs = grid.query_pairs();
+  return Pairs(pairs.begin(), pairs.end());
 }
 
 Pairs sorted(Pairs pairs) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A grid with an owner, and comparisons that throw a text which says what differs.
+// Grids filled at once, and comparisons that throw a text which says what differs.
 //
 // cmocka leaves a failed assertion by longjmp, which skips destructors. Checks therefore run inside holds(), which
 // turns a Failure into a message with the seed and a plain bool for assert_true.
@@ -9,8 +9,8 @@
 #include "oracle/pairs.hpp"
 
 #include <hgrid/hgrid.h>
+#include <hgrid/hgrid.hpp>
 
-#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -33,16 +33,21 @@ class Failure : public std::runtime_error {
 };
 
 void require(bool condition, const std::string &what);
-void require_ok(hg_status status, const char *call);
 void require_same(const char *what, const Pairs &got, const Pairs &expected);
 void require_same(const char *what, const std::vector<int32_t> &got, const std::vector<int32_t> &expected);
 
-struct DestroyGrid {
-  void operator()(hg_grid *grid) const { hg_destroy(grid); }
-};
-using Grid = std::unique_ptr<hg_grid, DestroyGrid>;
+// The status with which the library refuses a call; HG_OK if it does not.
+template <class Call>
+hg_status status_of(Call call) {
+  try {
+    call();
+    return HG_OK;
+  } catch (const hgrid::Error &error) {
+    return error.status();
+  }
+}
 
-Grid make_grid(const hg_grid_def &def);
+using hgrid::Grid;
 Grid make_grid(const hg_grid_def &def, const Particles &particles);
 
 // The pairs in the order of the library, and sorted by id.

@@ -6,6 +6,10 @@
 
 #include <hgrid/hgrid.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* Books of the allocator. They are process-wide since grids created with it may outlive a test's stack frame. */
 typedef struct alloc_books {
   long long calls;       /* requests for memory so far, refused ones included */
@@ -42,3 +46,7 @@ typedef struct alloc_scenario {
 } alloc_scenario;
 
 long long refuse_each_allocation(const alloc_scenario *scenario);
+
+#ifdef __cplusplus
+}
+#endif

@@ -64,12 +64,9 @@ def pairs(values, name):
     return _int32(array, name, refuse)
 
 
-def copy_out(view, dtype):
-    """A numpy array of its own from a view of the library's memory, which is given back at once."""
-    with view:
-        return np.frombuffer(view, dtype=dtype).copy() if view.nbytes > 0 else np.empty(0, dtype=dtype)
-
-
-def copy_pairs(view):
-    """As copy_out, for pairs: int32 of shape (m, 2)."""
-    return copy_out(view, np.int32).reshape(-1, 2)
+def copy_out(lent):
+    """What the library lends, a view of its memory or a list of them, as arrays that own theirs."""
+    if isinstance(lent, list):
+        return tuple(copy_out(view) for view in lent)
+    with lent:
+        return np.array(lent)

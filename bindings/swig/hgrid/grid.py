@@ -132,6 +132,16 @@ class Grid:
             raise StateError("the grid is closed")
         return self._handle
 
+    def _call(self, call, *arguments):
+        """A call of the C interface on this grid."""
+        with self._lock:
+            return call(self._open(), *arguments)
+
+    def _query(self, call, *arguments):
+        """What such a call lends, as arrays of the caller's own."""
+        with self._lock:
+            return arrays.copy_out(self._call(call, *arguments))
+
     def __reduce__(self):
         raise TypeError("a Grid can be neither copied nor pickled")
 
@@ -163,36 +173,29 @@ class Grid:
         """Adds particles with centres x, shape (n, dimension), and radii r, shape (n,). All or nothing."""
         centers = arrays.reals(x, "x", ("n", self._dimension))
         radii = arrays.reals(r, "r", (len(centers),))
-        with self._lock:
-            capi.hg_insert(self._open(), centers, radii)
+        self._call(capi.hg_insert, centers, radii)
 
     def move(self, x, r=None):
         """Replaces the centres, and the radii if given, of all live particles in order of id. All or nothing."""
         centers = arrays.reals(x, "x", ("n", self._dimension))
         radii = None if r is None else arrays.reals(r, "r", (len(centers),))
-        with self._lock:
-            capi.hg_move(self._open(), centers, radii)
+        self._call(capi.hg_move, centers, radii)
 
     def remove(self, ids):
         """Removes the particles with these ids, shape (n,). All or nothing; NotFoundError names an unknown id."""
-        wanted = arrays.ids(ids, "ids")
-        with self._lock:
-            capi.hg_remove(self._open(), wanted)
+        self._call(capi.hg_remove, arrays.ids(ids, "ids"))
 
     def clear(self):
         """Removes all particles; ids start anew at index_base."""
-        with self._lock:
-            capi.hg_clear(self._open())
+        self._call(capi.hg_clear)
 
     def build(self):
         """Chooses the levels and sorts the particles into cells. Queries do so by themselves when they must."""
-        with self._lock:
-            capi.hg_build(self._open())
+        self._call(capi.hg_build)
 
     def query_pairs(self):
         """All pairs, each once, as int32 of shape (m, 2): ids (a, b) with a < b, in the grid's order."""
-        with self._lock:
-            return arrays.copy_pairs(capi.hg_query_pairs(self._open()))
+        return self._query(capi.hg_query_pairs)
 
     def visit_pairs(self, visit):
         """Calls visit(pairs) with one batch after the other, int32 of shape (k, 2).
@@ -205,7 +208,7 @@ class Grid:
         with self._lock:
             outer, self._visiting = self._visiting, True
             try:
-                capi.hg_visit_pairs(self._open(), lambda batch: visit(arrays.copy_pairs(batch)))
+                self._call(capi.hg_visit_pairs, lambda batch: visit(arrays.copy_out(batch)))
             finally:
                 self._visiting = outer
 
@@ -217,31 +220,24 @@ class Grid:
         """
         with self._lock:
             kind = capi.HG_FULL if full else capi.HG_HALF
-            offsets, neighbors = capi.hg_list_neighbors(self._open(), kind)
-            return arrays.copy_out(offsets, np.int64), arrays.copy_out(neighbors, np.int32)
+            return self._query(capi.hg_query_neighbors, kind, self.stats.particle_count)
 
     def query_sphere(self, center, radius):
         """Ids, ascending, of the particles that a sphere interacts with by the grid's own rule; int32 of shape (k,)."""
         point = arrays.reals(center, "center", (self._dimension,))
-        with self._lock:
-            return arrays.copy_out(capi.hg_query_sphere(self._open(), point, float(radius)), np.int32)
+        return self._query(capi.hg_query_sphere, point, float(radius))
 
     @property
     def levels(self):
         """The levels of the grid, finest first, as a list of Level; builds the grid if it must be."""
-        with self._lock:
-            return [record(Level, struct) for struct in capi.hg_query_levels(self._open())]
+        return [record(Level, struct) for struct in self._call(capi.hg_query_levels)]
 
     @property
     def level_costs(self):
         """The predicted cost of each number of levels that the rule looked at, as a list of LevelCost."""
-        with self._lock:
-            return [record(LevelCost, struct) for struct in capi.hg_query_level_costs(self._open())]
+        return [record(LevelCost, struct) for struct in self._call(capi.hg_query_level_costs)]
 
     @property
     def stats(self):
         """The counters of the grid, as Stats."""
-        with self._lock:
-            counters = capi.hg_grid_stats()
-            capi.hg_read_stats(self._open(), counters)
-            return record(Stats, counters)
+        return record(Stats, self._call(capi.hg_get_stats))

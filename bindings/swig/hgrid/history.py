@@ -37,7 +37,7 @@ class History:
         wanted = arrays.pairs(pairs, "pairs")
         with self._lock:
             former_count = len(self.pairs)
-            self._previous = arrays.copy_out(capi.hg_match_pairs(self._handle, wanted), np.int64)
+            self._previous = arrays.copy_out(capi.hg_history_update(self._handle, wanted))
             self._former_count = former_count
             return self._previous.copy()
 
@@ -61,7 +61,7 @@ class History:
     def pairs(self):
         """The remembered list, int32 of shape (m, 2), e.g. for a checkpoint."""
         with self._lock:
-            return arrays.copy_pairs(capi.hg_history_pairs(self._handle))
+            return arrays.copy_out(capi.hg_history_pairs(self._handle))
 
     def restore(self, pairs):
         """Remembers a list, e.g. that of a checkpoint, without matching it; the next update refers to it."""

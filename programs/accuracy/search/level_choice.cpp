@@ -61,10 +61,10 @@ Method own_method(const std::string &name, const std::function<Edges(Random &)> 
   return {name, choose, once, draws};
 }
 
-double build_seconds(particles::Grid &grid, const particles::ParticleSet &particles) {
-  particles::check(hg_clear(grid.get()));
+double build_seconds(hgrid::Grid &grid, const particles::ParticleSet &particles) {
+  grid.clear();
   return measure::seconds_of([&] {
-    grid.insert(particles);
+    particles::insert(particles, grid);
     grid.build();
   });
 }
@@ -75,18 +75,18 @@ Method library_method(const std::string &name, const particles::ParticleSet &par
   def.thread_count = 1;
   def.level_rule = rule;
   def.cell_overhead = kPaperOverhead;
-  const auto asked = std::make_shared<particles::Grid>(def);
-  asked->insert(particles);
+  const auto asked = std::make_shared<hgrid::Grid>(def);
+  particles::insert(particles, *asked);
   Edges edges;
   std::vector<double> cell_sizes;
-  for (const hg_level &level : asked->levels()) {
+  for (const hg_level &level : asked->query_levels()) {
     edges.push_back(level.largest_radius);
     cell_sizes.push_back(level.cell_size);
   }
   def.level_rule = HG_LEVELS_USER;
   def.level_count = static_cast<int32_t>(cell_sizes.size());
   def.cell_sizes = cell_sizes.data();
-  const auto told = std::make_shared<particles::Grid>(def);
+  const auto told = std::make_shared<hgrid::Grid>(def);
   const auto once = [asked, told, &particles](Random &) {
     return build_seconds(*asked, particles) - build_seconds(*told, particles);
   };

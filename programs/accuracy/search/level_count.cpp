@@ -23,7 +23,7 @@ Finding finding_of(SearchTimer &timer, SearchTimer &best, size_t chosen, size_t 
   const std::string note =
       particles::formatted("%.0f %% above the least time, %.1f candidates per particle",
                            100 * (timer.ns_per_particle() / best.ns_per_particle() - 1),
-                           static_cast<double>(timer.grid().stats().candidate_count) / static_cast<double>(count));
+                           static_cast<double>(timer.grid().get_stats().candidate_count) / static_cast<double>(count));
   return {std::to_string(levels) + (levels > 1 ? " levels" : " level"),
           timer.ns_per_particle(),
           {{"levels off the best number", std::fabs(static_cast<double>(levels) - best_levels) / best_levels, note}},
@@ -33,15 +33,15 @@ Finding finding_of(SearchTimer &timer, SearchTimer &best, size_t chosen, size_t 
 void measure_system(const particles::ParticleSet &particles, Recorder &record) {
   hg_grid_def def = measure::def_of(particles);
   def.thread_count = 1;
-  particles::Grid chosen(def);
-  chosen.insert(particles);
+  hgrid::Grid chosen(def);
+  particles::insert(particles, chosen);
   std::vector<SearchTimer> timers = measure::timers_by_level_count(def, particles, kMostLevels);
   measure::in_turns(timers, record.budget().repeats, kPatience);
   SearchTimer &best = *std::min_element(timers.begin(), timers.end(), [](const SearchTimer &a, const SearchTimer &b) {
     return a.ns_per_particle() < b.ns_per_particle();
   });
   for (SearchTimer &timer : timers) {
-    record.add(finding_of(timer, best, chosen.levels().count, particles.count()));
+    record.add(finding_of(timer, best, chosen.query_levels().size(), particles.count()));
   }
 }
 

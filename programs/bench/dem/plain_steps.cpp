@@ -75,7 +75,7 @@ void PlainSteps::find_forces() {
   PairView pairs;
   search_.run(pairs);
   std::fill(forces_.begin(), forces_.end(), 0.0);
-  for (size_t p = 0; p < pairs.count; p++) add_pair_force(pairs.data[p]);
+  for (const hg_pair &pair : pairs) add_pair_force(pair);
   for (size_t i = 0; i < set_.count(); i++) add_wall_forces(i);
 }
 

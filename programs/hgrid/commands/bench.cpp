@@ -3,6 +3,7 @@
 // `hgrid bench`: the time of the search for each number of levels, beside what the cost rule predicts, or that of
 // steps.
 #include "particles/error.hpp"
+#include "particles/insert.hpp"
 #include "particles/text/output.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/hgrid/commands/bench_steps.hpp"
@@ -77,12 +78,12 @@ std::vector<Row> make_rows(const BenchOptions &options, const particles::Particl
 Result result_of(Row &row, size_t count) {
   measure::SearchTimer &timer = row.timer;
   Result result;
-  result.pairs = timer.pairs().count;
+  result.pairs = timer.pairs().size();
   result.levels = timer.level_count();
   result.ns = timer.ns_per_particle();
   result.fastest_ns =
       1e9 * *std::min_element(timer.seconds().begin(), timer.seconds().end()) / static_cast<double>(count);
-  result.candidates = static_cast<double>(timer.grid().stats().candidate_count) / static_cast<double>(count);
+  result.candidates = static_cast<double>(timer.grid().get_stats().candidate_count) / static_cast<double>(count);
   result.runs = timer.seconds().size();
   return result;
 }

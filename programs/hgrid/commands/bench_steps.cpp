@@ -26,10 +26,10 @@ struct Row {
 
 Row row_of(Run &run, size_t count) {
   const double ns = 1e9 / static_cast<double>(count);
-  const double stored = static_cast<double>(run.grid.grid().stats().stored_count) / static_cast<double>(count);
+  const double stored = static_cast<double>(run.grid.grid().get_stats().stored_count) / static_cast<double>(count);
   return {
-      run.skin, run.times.mean() * ns, run.times.searched() * ns, run.times.filtered() * ns, run.times.search_share(),
-      stored,   run.grid.pairs().count};
+      run.skin, run.times.mean() * ns,  run.times.searched() * ns, run.times.filtered() * ns, run.times.search_share(),
+      stored,   run.grid.pairs().size()};
 }
 
 void write_csv(const std::string &path, const StepOptions &options, const std::vector<Row> &rows) {

@@ -82,8 +82,8 @@ hg_grid_def grid_def(const CalibrateOptions &options, const particles::ParticleS
 
 // The cost that the library expects of `levels` levels at these prices; negative if it cannot make as many.
 double expected_cost(hg_grid_def def, const particles::ParticleSet &particles, int levels) {
-  particles::Grid grid(def);
-  grid.insert(particles);
+  hgrid::Grid grid(def);
+  particles::insert(particles, grid);
   const std::optional<hg_level_cost> cost = measure::expected_cost(grid, static_cast<size_t>(levels));
   return cost ? cost->cost : -1;
 }

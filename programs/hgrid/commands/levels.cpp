@@ -44,7 +44,7 @@ void print_sizes(particles::Output &out, const particles::ParticleSet &particles
   out << "\n\n";
 }
 
-void print_levels(particles::Output &out, const particles::Borrowed<hg_level> &levels) {
+void print_levels(particles::Output &out, hgrid::View<hg_level> levels) {
   out << "  level     cell size  largest radius   particles  particles per cell\n";
   int number = 0;
   for (const hg_level &level : levels)
@@ -52,8 +52,8 @@ void print_levels(particles::Output &out, const particles::Borrowed<hg_level> &l
                      static_cast<long long>(level.particle_count), level.occupancy);
 }
 
-void print_costs(particles::Output &out, const particles::Borrowed<hg_level_cost> &costs, size_t chosen, bool eq_7) {
-  if (costs.count == 0) {
+void print_costs(particles::Output &out, hgrid::View<hg_level_cost> costs, size_t chosen, bool eq_7) {
+  if (costs.empty()) {
     out << "\nThe cell sizes were given: no other levels were looked at.\n";
     return;
   }
@@ -79,7 +79,7 @@ void print_statistics(particles::Output &out, const hg_grid_stats &stats) {
                      static_cast<double>(stats.byte_count) / static_cast<double>(stats.particle_count));
 }
 
-void write_levels_csv(particles::Output &out, const particles::Borrowed<hg_level> &levels) {
+void write_levels_csv(particles::Output &out, hgrid::View<hg_level> levels) {
   out << "level,cell_size,largest_radius,particle_count,occupancy\n";
   int number = 0;
   for (const hg_level &level : levels)
@@ -87,7 +87,7 @@ void write_levels_csv(particles::Output &out, const particles::Borrowed<hg_level
         << level.occupancy << '\n';
 }
 
-void write_costs_csv(particles::Output &out, const particles::Borrowed<hg_level_cost> &costs, size_t chosen) {
+void write_costs_csv(particles::Output &out, hgrid::View<hg_level_cost> costs, size_t chosen) {
   out << "level_count,reachable,occupancy,cost,chosen\n";
   for (const hg_level_cost &cost : costs)
     out << cost.level_count << ',' << cost.reachable << ',' << cost.occupancy << ',' << cost.cost << ','
@@ -96,19 +96,19 @@ void write_costs_csv(particles::Output &out, const particles::Borrowed<hg_level_
 
 void run(const LevelsOptions &options) {
   const particles::ParticleSet particles = load_particles(options.particles);
-  particles::Grid grid = filled_grid(options.grid, particles, options.particles.file);
-  const particles::Borrowed<hg_level> levels = grid.levels();
-  const particles::Borrowed<hg_level_cost> costs = grid.level_costs();
+  hgrid::Grid grid = filled_grid(options.grid, particles, options.particles.file);
+  const hgrid::View<hg_level> levels = grid.query_levels();
+  const hgrid::View<hg_level_cost> costs = grid.query_level_costs();
   particles::Output out("-");
   if (options.csv && options.costs) {
-    write_costs_csv(out, costs, levels.count);
+    write_costs_csv(out, costs, levels.size());
   } else if (options.csv) {
     write_levels_csv(out, levels);
   } else {
     print_sizes(out, particles);
     print_levels(out, levels);
-    print_costs(out, costs, levels.count, options.grid.levels == "paper" || options.grid.cell_overhead >= 0);
-    print_statistics(out, grid.stats());
+    print_costs(out, costs, levels.size(), options.grid.levels == "paper" || options.grid.cell_overhead >= 0);
+    print_statistics(out, grid.get_stats());
   }
   out.close();
 }

@@ -12,7 +12,6 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <exception>
 #include <memory>
 
 namespace command {
@@ -25,58 +24,28 @@ struct PairsOptions {
   bool count_only = false;
 };
 
-// Counts the pairs and writes them if there is an output. No exception may cross the library, which calls visit(): one
-// is kept here until the visit is over.
-class PairSink {
- public:
-  explicit PairSink(particles::Output *out) : out_(out), progress_("searching", "contacts", 0) {}
-
-  void take_all(particles::Grid &grid) {
-    grid.visit_pairs(visit, this);
-    if (failure_) std::rethrow_exception(failure_);
-  }
-  int64_t count() const { return count_; }
-
- private:
-  static int32_t visit(void *context, const hg_pair *pairs, size_t count) noexcept {
-    auto *sink = static_cast<PairSink *>(context);
-    try {
-      sink->take(pairs, count);
-      return 0;
-    } catch (...) {
-      sink->failure_ = std::current_exception();
-      return 1;
-    }
-  }
-
-  void take(const hg_pair *pairs, size_t count) {
-    count_ += static_cast<int64_t>(count);
-    if (out_ != nullptr)
-      for (size_t k = 0; k < count; k++) *out_ << pairs[k].a << ',' << pairs[k].b << '\n';
-    progress_.update(static_cast<uint64_t>(count_));
-  }
-
-  particles::Output *out_;
-  particles::Progress progress_;
-  int64_t count_ = 0;
-  std::exception_ptr failure_;
-};
+// Counts the pairs and writes them if there is an output.
+uint64_t take_pairs(hgrid::Grid &grid, particles::Output *out) {
+  particles::Progress progress("searching", "contacts", 0);
+  uint64_t count = 0;
+  grid.visit_pairs([&](hgrid::View<hg_pair> pairs) {
+    count += pairs.size();
+    if (out != nullptr)
+      for (const hg_pair &pair : pairs) *out << pair.a << ',' << pair.b << '\n';
+    progress.update(count);
+  });
+  return count;
+}
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-int64_t count_pairs(particles::Grid &grid) {
-  PairSink sink(nullptr);
-  sink.take_all(grid);
-  return sink.count();
-}
-
-void print_count(particles::Grid &grid, size_t particles) {
+void print_count(hgrid::Grid &grid, size_t particles) {
   const auto start = std::chrono::steady_clock::now();
   grid.build();
   const double build = seconds_since(start);
-  const int64_t count = count_pairs(grid);
+  const uint64_t count = take_pairs(grid, nullptr);
   const double total = seconds_since(start);
 
   const double number = static_cast<double>(particles);
@@ -84,12 +53,12 @@ void print_count(particles::Grid &grid, size_t particles) {
   char text[512];
   std::snprintf(text, sizeof text,
                 "particles              %zu\n"
-                "contacts               %lld\n"
+                "contacts               %llu\n"
                 "contacts per particle  %.6g  (each contact counts for both)\n"
                 "time to build          %.6f s\n"
                 "time to search         %.6f s\n"
                 "time per particle      %.1f ns\n",
-                particles, static_cast<long long>(count), mean, build, total - build,
+                particles, static_cast<unsigned long long>(count), mean, build, total - build,
                 particles > 0 ? 1e9 * total / number : 0.0);
   particles::Output out("-");
   out << text;
@@ -98,7 +67,7 @@ void print_count(particles::Grid &grid, size_t particles) {
 
 void run(const PairsOptions &options) {
   const particles::ParticleSet particles = load_particles(options.particles);
-  particles::Grid grid = filled_grid(options.grid, particles, options.particles.file);
+  hgrid::Grid grid = filled_grid(options.grid, particles, options.particles.file);
   if (options.count_only) {
     print_count(grid, particles.count());
     return;
@@ -107,7 +76,7 @@ void run(const PairsOptions &options) {
   grid.build();
   particles::Output out(options.output);
   out << "a,b\n";
-  PairSink(&out).take_all(grid);
+  take_pairs(grid, &out);
   out.close();
 }
 

@@ -29,9 +29,9 @@ struct SliceOptions {
 };
 
 std::vector<draw::Level> levels_of(const SliceOptions &options, const particles::ParticleSet &particles) {
-  particles::Grid grid = filled_grid(options.grid, particles, options.particles.file);
+  hgrid::Grid grid = filled_grid(options.grid, particles, options.particles.file);
   std::vector<draw::Level> levels;
-  for (const hg_level &level : grid.levels()) {
+  for (const hg_level &level : grid.query_levels()) {
     if (!(level.largest_radius > 0)) continue;  // empty, or points: nothing to see
     levels.push_back({level.cell_size, level.largest_radius, static_cast<size_t>(level.particle_count)});
   }

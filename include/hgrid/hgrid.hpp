@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The C interface for C++17: a grid and a contact history that free themselves, results as views, failures thrown.
+//
+//   hgrid::Grid grid(def);
+//   grid.insert(count, centers, radii);
+//   for (hg_pair pair : grid.query_pairs()) ...
+//
+// Every call of hgrid/grid.h and hgrid/history.h is a member with the arguments of the C call, whose comment there
+// holds for it; what C writes through pointers is the result. For other C calls there are get(), the C handle, and
+// check(). Ownership: one object owns one C handle. It can be moved, not copied; an object that was moved from may be
+// destroyed or assigned to, any other call on it throws HG_ERR_NULL. A grid must not be destroyed or assigned to from
+// inside a visitor of its own. Views own nothing: they end when the C call says that its result does, and with their
+// object. Threads: as for the C calls. Errors: a call that throws has changed nothing.
+#pragma once
+
+#include <hgrid/hgrid.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+
+namespace hgrid {
+
+// A call that failed: its status, and the text of hg_last_error as what().
+class Error : public std::runtime_error {
+ public:
+  explicit Error(hg_status status) : std::runtime_error(hg_last_error()), status_(status) {}
+  hg_status status() const noexcept { return status_; }
+
+ private:
+  hg_status status_;
+};
+
+// Throws what went wrong in the last C call of this thread, if its status says that something did.
+inline void check(hg_status status) {
+  if (status != HG_OK) throw Error(status);
+}
+
+// A borrowed array.
+template <class T>
+class View {
+ public:
+  View() = default;
+  View(const T *data, size_t size) : data_(data), size_(size) {}
+
+  const T *data() const { return data_; }
+  size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  const T *begin() const { return data_; }
+  const T *end() const { return data_ + size_; }
+  const T &operator[](size_t place) const { return data_[place]; }
+
+ private:
+  const T *data_ = nullptr;
+  size_t size_ = 0;
+};
+
+// Borrowed lists in compressed rows: row k holds ids[offsets[k]] .. ids[offsets[k + 1] - 1].
+struct Rows {
+  View<int64_t> offsets;  // one more than rows
+  View<int32_t> ids;
+
+  size_t size() const { return offsets.empty() ? 0 : offsets.size() - 1; }
+  View<int32_t> operator[](size_t row) const {
+    return {ids.data() + offsets[row], static_cast<size_t>(offsets[row + 1] - offsets[row])};
+  }
+};
+
+namespace detail {
+
+template <class Handle, void (*destroy)(Handle *)>
+struct Destroy {
+  void operator()(Handle *handle) const { destroy(handle); }
+};
+
+// What a C call lends through its last two arguments, (const T **data, size_t *count).
+template <class T, class Call, class... Arguments>
+View<T> lent(Call call, Arguments... arguments) {
+  const T *data = nullptr;
+  size_t count = 0;
+  check(call(arguments..., &data, &count));
+  return {data, count};
+}
+
+// The same through (const int64_t **offsets, const int32_t **ids), so many rows.
+template <class Call, class... Arguments>
+Rows lent_rows(size_t rows, Call call, Arguments... arguments) {
+  const int64_t *offsets = nullptr;
+  const int32_t *ids = nullptr;
+  check(call(arguments..., &offsets, &ids));
+  return {{offsets, rows + 1}, {ids, static_cast<size_t>(offsets[rows])}};
+}
+
+// A callable on its way through C, and what it threw there.
+template <class Visit>
+struct Visitor {
+  Visit &visit;
+  std::exception_ptr thrown;
+};
+
+template <class Visit, class... Batch>
+int32_t forward(void *context, Batch... batch) noexcept {
+  auto &visitor = *static_cast<Visitor<Visit> *>(context);
+  try {
+    if constexpr (std::is_void_v<std::invoke_result_t<Visit &, Batch...>>) {
+      visitor.visit(batch...);
+      return 0;
+    } else {
+      return visitor.visit(batch...) ? 1 : 0;
+    }
+  } catch (...) {
+    visitor.thrown = std::current_exception();
+    return 1;
+  }
+}
+
+// Runs a visit with a callable that takes what the C visitor takes behind its context. No exception crosses C: one of
+// the callable ends the visit and is thrown again after it.
+template <class Visit, class... Batch>
+void visit_with(Visit &visit, hg_status (*call)(hg_grid *, int32_t (*)(void *, Batch...), void *), hg_grid *grid) {
+  Visitor<Visit> visitor{visit, nullptr};
+  const hg_status status = call(grid, forward<Visit, Batch...>, &visitor);
+  if (visitor.thrown) std::rethrow_exception(visitor.thrown);
+  check(status);
+}
+
+}  // namespace detail
+
+class Grid {
+ public:
+  // Empty, with the defaults or as `def` says.
+  Grid() : Grid(nullptr) {}
+  explicit Grid(const hg_grid_def &def) : Grid(&def) {}
+
+  // The C handle; NULL if this was moved from. It stays this object's.
+  hg_grid *get() const noexcept { return handle_.get(); }
+
+  void insert(size_t count, const double *centers, const double *radii) {
+    check(hg_insert(get(), count, centers, radii));
+  }
+  void move(size_t count, const double *centers, const double *radii = nullptr) {
+    check(hg_move(get(), count, centers, radii));
+  }
+  void remove(size_t count, const int32_t *ids) { check(hg_remove(get(), count, ids)); }
+  void clear() { check(hg_clear(get())); }
+  void build() { check(hg_build(get())); }
+
+  View<hg_pair> query_pairs() const { return detail::lent<hg_pair>(hg_query_pairs, get()); }
+  // `visit` is any callable that takes a batch, as View<hg_pair> or as (const hg_pair *pairs, size_t count). It returns
+  // nothing, or what is true to end the visit; what it throws also ends it, and is thrown from here.
+  template <class Visit>
+  void visit_pairs(Visit &&visit) const {
+    if constexpr (std::is_invocable_v<Visit &, View<hg_pair>>) {
+      const auto batch = [&](const hg_pair *pairs, size_t count) { return visit(View<hg_pair>(pairs, count)); };
+      detail::visit_with(batch, hg_visit_pairs, get());
+    } else {
+      detail::visit_with(visit, hg_visit_pairs, get());
+    }
+  }
+  void visit_pairs(hg_pair_visitor *visit, void *context) const { check(hg_visit_pairs(get(), visit, context)); }
+  Rows query_neighbors(int32_t list) const {
+    return detail::lent_rows(static_cast<size_t>(get_stats().particle_count), hg_query_neighbors, get(), list);
+  }
+  View<int32_t> query_sphere(const double *center, double radius) const {
+    return detail::lent<int32_t>(hg_query_sphere, get(), center, radius);
+  }
+  View<hg_level> query_levels() const { return detail::lent<hg_level>(hg_query_levels, get()); }
+  View<hg_level_cost> query_level_costs() const { return detail::lent<hg_level_cost>(hg_query_level_costs, get()); }
+  hg_grid_stats get_stats() const {
+    hg_grid_stats stats{};
+    check(hg_get_stats(get(), &stats, sizeof stats));
+    return stats;
+  }
+
+ private:
+  explicit Grid(const hg_grid_def *def) {
+    hg_grid *created = nullptr;
+    check(hg_create(def, &created));
+    handle_.reset(created);
+  }
+
+  std::unique_ptr<hg_grid, detail::Destroy<hg_grid, hg_destroy>> handle_;
+};
+
+class History {
+ public:
+  // It remembers an empty list.
+  History() {
+    hg_history *created = nullptr;
+    check(hg_history_create(&created));
+    handle_.reset(created);
+  }
+
+  // The C handle; NULL if this was moved from. It stays this object's.
+  hg_history *get() const noexcept { return handle_.get(); }
+
+  // The place of each pair in the former list, or -1.
+  View<int64_t> update(size_t count, const hg_pair *pairs) {
+    const int64_t *previous = nullptr;
+    check(hg_history_update(get(), count, pairs, &previous));
+    return {previous, count};
+  }
+  void carry(size_t item_size, const void *old_items, void *new_items) const {
+    check(hg_history_carry(get(), item_size, old_items, new_items));
+  }
+  View<hg_pair> pairs() const { return detail::lent<hg_pair>(hg_history_pairs, get()); }
+  void restore(size_t count, const hg_pair *pairs) { check(hg_history_restore(get(), count, pairs)); }
+  void clear() { check(hg_history_clear(get())); }
+
+ private:
+  std::unique_ptr<hg_history, detail::Destroy<hg_history, hg_history_destroy>> handle_;
+};
+
+}  // namespace hgrid

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// hgrid::Grid: each member gives what its C call gives, each failure is thrown with its status and text.
+#include "tests/cpp/chain.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace {
+
+using namespace hgtest;
+
+void defaults_are_those_of_the_library() {
+  hgrid::Grid grid;
+  require(grid.query_pairs().empty() && grid.get_stats().particle_count == 0, "a new grid is not empty");
+  grid.insert(kChain, kCenters, kRadii);
+  require(grid.query_pairs().size() == kChain - 1, "the chain is not found");
+}
+
+void views_show_what_c_lends() {
+  hgrid::Grid grid = chain();
+  const hg_pair *pairs = nullptr;
+  size_t count = 0;
+  hgrid::check(hg_query_pairs(grid.get(), &pairs, &count));
+  const hgrid::View<hg_pair> view = grid.query_pairs();
+  require(view.data() == pairs && view.size() == count && !view.empty(), "the view is not the list of C");
+  require(view.begin() == pairs && view.end() == pairs + count && &view[1] == pairs + 1, "the view's ends");
+  size_t seen = 0;
+  for (const hg_pair pair : grid.query_pairs()) seen += static_cast<size_t>(pair.a == static_cast<int32_t>(seen));
+  require(seen == count, "a loop does not see every pair");
+  require(hgrid::View<hg_pair>().empty() && hgrid::View<hg_pair>().begin() == hgrid::View<hg_pair>().end(),
+          "a view of nothing");
+}
+
+void neighbors_are_rows() {
+  hgrid::Grid grid = chain();
+  const hgrid::Rows half = grid.query_neighbors(HG_HALF);
+  require(half.size() == kChain && half.offsets.size() == kChain + 1 && half.ids.size() == kChain - 1, "half list");
+  const std::vector<std::vector<int32_t>> expected = {{1}, {0, 2}, {1, 3}, {2}};
+  const hgrid::Rows full = grid.query_neighbors(HG_FULL);
+  for (size_t row = 0; row < full.size(); row++) {
+    require_same("row", std::vector<int32_t>(full[row].begin(), full[row].end()), expected[row]);
+  }
+  const int64_t *offsets = nullptr;
+  const int32_t *ids = nullptr;
+  hgrid::check(hg_query_neighbors(grid.get(), HG_FULL, &offsets, &ids));
+  const auto [row_offsets, row_ids] = grid.query_neighbors(HG_FULL);
+  require(row_offsets.data() == offsets && row_ids.data() == ids, "the views are not the lists of C");
+  grid.clear();
+  require(grid.query_neighbors(HG_FULL).size() == 0 && hgrid::Rows().size() == 0, "rows of nothing");
+}
+
+void a_sphere_finds_ids() {
+  hgrid::Grid grid = chain();
+  const double center[3] = {1.5, 0, 0};
+  const hgrid::View<int32_t> ids = grid.query_sphere(center, 0.1);
+  require_same("ids", std::vector<int32_t>(ids.begin(), ids.end()), {1, 2});
+  const double nowhere[3] = {1e9, 0, 0};
+  require(grid.query_sphere(nowhere, 0.1).empty(), "a sphere far away meets something");
+}
+
+void levels_and_counters() {
+  hgrid::Grid grid = chain();
+  grid.build();
+  int64_t particles = 0;
+  for (const hg_level &level : grid.query_levels()) particles += level.particle_count;
+  require(particles == static_cast<int64_t>(kChain), "the levels do not hold the particles");
+  require(!grid.query_level_costs().empty() && grid.query_level_costs()[0].level_count == 1, "no costs");
+  require(grid.query_pairs().size() == kChain - 1, "the chain is not found");
+  const hg_grid_stats stats = grid.get_stats();
+  require(stats.particle_count == particles && stats.pair_count == kChain - 1 && stats.build_count == 1, "counters");
+}
+
+void particles_come_move_and_go() {
+  hgrid::Grid grid = chain();
+  std::vector<double> centers(kCenters, kCenters + 3 * kChain), radii(kChain, 0.4);
+  centers[0] = -9;
+  grid.move(kChain, centers.data());
+  require(grid.query_pairs().size() == kChain - 2, "a move without radii");
+  grid.move(kChain, kCenters, radii.data());
+  require(grid.query_pairs().empty(), "a move with radii");
+  grid.move(kChain, kCenters, kRadii);
+  const int32_t gone[1] = {1};
+  grid.remove(1, gone);
+  const hgrid::View<hg_pair> left = grid.query_pairs();
+  require_same("pairs after a removal", Pairs(left.begin(), left.end()), {{2, 3}});
+  grid.clear();
+  require(grid.query_pairs().empty(), "a cleared grid has pairs");
+  grid.insert(kChain, kCenters, kRadii);
+  require_chain(grid);
+}
+
+void failures_tell_status_and_text() {
+  hg_grid_def def = hg_default_grid_def();
+  def.dimension = 4;
+  require_error(HG_ERR_ARGUMENT, "dimension = 4", [&] { hgrid::Grid grid(def); });
+  def.dimension = 3;
+  def.level_count = HG_MAX_LEVELS + 1;
+  require_error(HG_ERR_LIMIT, "level_count = 65", [&] { hgrid::Grid grid(def); });
+  hgrid::Grid grid = chain();
+  const double negative[1] = {-1}, center[3] = {0, 0, 0}, nan[3] = {0, std::numeric_limits<double>::quiet_NaN(), 0};
+  require_error(HG_ERR_ARGUMENT, "radii[0] = -1", [&] { grid.insert(1, center, negative); });
+  require_error(HG_ERR_NULL, "centers", [&] { grid.insert(1, nullptr, kRadii); });
+  require_error(HG_ERR_ARGUMENT, "count is 1", [&] { grid.move(1, center); });
+  const int32_t unknown[1] = {17};
+  require_error(HG_ERR_NOT_FOUND, "17", [&] { grid.remove(1, unknown); });
+  require_error(HG_ERR_ARGUMENT, "list = 2", [&] { grid.query_neighbors(2); });
+  require_error(HG_ERR_ARGUMENT, "center", [&] { grid.query_sphere(nan, 1); });
+  require_error(HG_ERR_NULL, "visit", [&] { grid.visit_pairs(nullptr, nullptr); });
+  require_error(HG_ERR_NULL, "allocate", [] {
+    const hg_allocator incomplete{};
+    hgrid::check(hg_set_allocator(&incomplete));
+  });
+  require_chain(grid);
+  hgrid::check(HG_OK);
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {cmocka_unit_test(run<defaults_are_those_of_the_library>),
+                              cmocka_unit_test(run<views_show_what_c_lends>),
+                              cmocka_unit_test(run<neighbors_are_rows>),
+                              cmocka_unit_test(run<a_sphere_finds_ids>),
+                              cmocka_unit_test(run<levels_and_counters>),
+                              cmocka_unit_test(run<particles_come_move_and_go>),
+                              cmocka_unit_test(run<failures_tell_status_and_text>)};
+  return cmocka_run_group_tests(tests, nullptr, nullptr);
+}
