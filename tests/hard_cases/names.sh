@@ -5,7 +5,7 @@
 # names.sh PAGE TESTS_DIR
 set -euo pipefail
 page=$1 tests=$2
-names=$(grep -oE '`[a-z0-9_]+/[a-z0-9_]+: [A-Za-z0-9_]+`' <(tr '\n' ' ' <"$page") | tr -d '`' | sort -u)
+names=$(grep -oE '`[a-z0-9_/]+/[a-z0-9_]+: [A-Za-z0-9_]+`' <(tr '\n' ' ' <"$page") | tr -d '`' | sort -u)
 count=0 status=0
 while IFS=': ' read -r file word; do
   count=$((count + 1))
