@@ -205,7 +205,7 @@ void draw_notes(Svg &svg, const Slice &slice, const Window &overview, bool has_e
   std::vector<std::string> notes;
   notes.emplace_back(in_overview.empty() ? "lines " + in_close_up
                                          : "lines: cells of " + levels_text(in_overview) + "; " + in_close_up);
-  if (has_example) notes.emplace_back("shaded: the cells of level 1 in which partners of the ringed particle can lie");
+  if (has_example) notes.emplace_back("shaded: cells of level 1 that the paper's search visits");
   if (overview.width < slice.box.width) {
     notes.push_back("only the middle of the box is drawn, " + number_text(100 * overview.width / slice.box.width) +
                     " % of its width");

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The commands of the program: each adds itself, its options and what it does to the parent.
 //
-// A command sets a callback on its own subcommand and reports failure by throwing particles::Error (exit code 1) or, for
-// options that do not fit together, CLI::ValidationError (exit code 2).
+// A command sets a callback on its own subcommand and reports failure by throwing particles::Error (exit code 1) or,
+// for options that do not fit together, CLI::ValidationError (exit code 2).
 #pragma once
 
 namespace CLI {

@@ -6,7 +6,7 @@
 // turns a Failure into a message with the seed and a plain bool for assert_true.
 #pragma once
 
-#include "oracle/pairs.hpp"
+#include "tests/support/oracle.hpp"
 
 #include <hgrid/hgrid.h>
 #include <hgrid/hgrid.hpp>
@@ -15,17 +15,6 @@
 #include <string>
 
 namespace hgtest {
-
-using oracle::all_in_sphere;
-using oracle::all_pairs;
-using oracle::double_interact;
-using oracle::exact_interact;
-using oracle::pair_equal;
-using oracle::pair_less;
-using oracle::Pairs;
-using oracle::Sphere;
-using oracle::swept_pairs;
-using Particles = particles::ParticleSet;
 
 class Failure : public std::runtime_error {
  public:

@@ -7,13 +7,13 @@
 #include "src/index/build_index.hpp"
 #include "src/particles/bounds.hpp"
 #include "src/search/search_tasks.hpp"
+#include "tests/support/oracle.hpp"
 #include "tests/support/rng.hpp"
+#include "tests/unit/domains.hpp"
 #include "tests/unit/stores.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 namespace hgtest {
 
@@ -22,65 +22,75 @@ struct CrowdShape {
   bool periodic = false;
   bool outlier = false;  // one particle far away, which makes levels sparse
   size_t count = 0;
-  int threads = 1;  // to build with
+  hg::Interaction interaction;
+  double skin = 0;  // by which the reach of the index is wider
 };
+
+inline CrowdShape any_shape(Rng &rng, size_t count) {
+  CrowdShape shape;
+  shape.dimension = rng.integer(2, 3);
+  shape.periodic = rng.chance(0.5);
+  shape.outlier = !shape.periodic && rng.chance(0.3);
+  shape.count = count;
+  return shape;
+}
 
 class Crowd {
  public:
+  static constexpr double kEdge = 100;  // of the box
+
   Crowd(uint64_t seed, hg::Memory &memory, const CrowdShape &shape)
-      : domain_(domain_of(shape)),
-        index(memory, domain_, interaction_),
+      : index(memory, domain_of(shape), shape.interaction.widened(shape.skin)),
         tasks(memory),
-        scratch_(memory),
-        store(make_store(memory, domain_, interaction_)),
-        overlap(interaction_, HG_EXACT, domain_) {
+        store(make_store(memory, index.domain, shape.interaction)),
+        overlap(shape.interaction, HG_EXACT, index.domain),
+        scratch_(memory) {
     Rng rng(seed);
-    std::vector<double> centers, radii;
+    particles.dimension = shape.dimension;
     const double edge = std::pow(static_cast<double>(shape.count), 1.0 / shape.dimension);
     for (size_t i = 0; i < shape.count; i++) {
-      for (int k = 0; k < shape.dimension; k++) centers.push_back(domain_.length[k] * rng.uniform());
-      // No larger than a quarter of the box, as a periodic one allows.
-      radii.push_back(std::min(0.3 / std::sqrt(1 - 0.99 * rng.uniform()) / edge, 0.24) * domain_.length[0]);
+      double center[3];
+      for (double &x : center) x = kEdge * rng.uniform();
+      if (shape.outlier && i == 0) center[0] = 1e9;
+      // A periodic box allows no reach above half its edge.
+      particles.add(center, kEdge * std::min(0.3 / std::sqrt(1 - 0.99 * rng.uniform()) / edge, 0.2));
     }
-    if (shape.outlier && shape.count > 0) centers[0] = 1e9;
-    store.insert(shape.count, centers.data(), radii.data());
-    build(shape.threads);
+    store.insert(shape.count, particles.centers.data(), particles.radii.data());
+    build(1);
   }
 
   void build(int threads) {
-    const hg::Bounds bounds = hg::bounds_of(store, domain_, threads);
-    const double finest = 2 * bounds.max_radius / 8;
-    const double sizes[4] = {finest, 2 * finest, 4 * finest, 8 * finest};
-    if (store.slots() > 0) index.map = hg::FixedPoint::over(bounds, domain_, 2 * bounds.max_radius);
-    hg::build_index(index, scratch_, store, hg::user_levels(sizes, 4, interaction_), threads);
+    const hg::Bounds bounds = hg::bounds_of(store, index.domain, threads);
+    const double coarsest = index.interaction.diameter(bounds.max_radius);
+    const double sizes[4] = {coarsest / 8, coarsest / 4, coarsest / 2, coarsest};
+    if (store.slots() > 0) index.map = hg::FixedPoint::over(bounds, index.domain, coarsest);
+    hg::build_index(index, scratch_, store, hg::user_levels(sizes, 4, index.interaction), threads);
     tasks.list(index);
   }
 
+  // Puts the particles of the store where those of `particles` are; the index stays.
+  void move() { store.move(particles.count(), particles.centers.data(), particles.radii.data()); }
+
+  // The truth.
+  hg_grid_def rule() const { return rule_of(index.domain, overlap.interaction()); }
+  Pairs pairs() const { return all_pairs(rule(), particles, exact_interact); }
+
  private:
   static hg::Domain domain_of(const CrowdShape &shape) {
-    hg::Domain domain;
-    domain.dimension = shape.dimension;
-    domain.any_periodic = shape.periodic;
-    for (int k = 0; k < shape.dimension; k++) {
-      domain.periodic[k] = shape.periodic;
-      domain.box_max[k] = domain.length[k] = 100;
-    }
+    hg::Domain domain = open_space(shape.dimension);
+    for (int axis = 0; axis < shape.dimension; axis++) set_box(domain, axis, 0, kEdge, shape.periodic);
     return domain;
   }
 
-  hg::Domain domain_;
-  hg::Interaction interaction_;
-
  public:
+  Particles particles;
   hg::Index index;
   hg::SearchTasks tasks;
+  hg::ParticleStore store;
+  hg::Overlap overlap;
 
  private:
   hg::BuildScratch scratch_;
-
- public:
-  hg::ParticleStore store;
-  hg::Overlap overlap;
 };
 
 }  // namespace hgtest

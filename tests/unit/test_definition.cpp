@@ -4,7 +4,6 @@
 #include "src/definition.hpp"
 #include "tests/unit/checks.hpp"
 
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -38,9 +37,9 @@ void check_defaults(uint64_t) {
   require(checked.dimension == 3 && checked.index_base == 0, "dimension, index_base");
   require(checked.accuracy == HG_EXACT && checked.pair_order == HG_ORDER_GRID, "accuracy, pair_order");
   require(checked.interaction.kind == HG_CONTACT && checked.interaction.margin == 0, "interaction");
-  require(checked.level_rule == HG_LEVELS_AUTO && checked.level_count == 0, "level_rule");
-  require(checked.counts_work, "AUTO reckons with prices");
-  require(checked.prices.level > 0 && checked.prices.row > 0, "fitted prices");
+  require(checked.levels.rule == HG_LEVELS_AUTO && checked.levels.level_count == 0, "level_rule");
+  require(checked.levels.counts_work && checked.levels.largest_diameter() == kInfinity, "AUTO counts work");
+  require(checked.levels.prices.level > 0 && checked.levels.prices.row > 0, "fitted prices");
   require(!checked.domain.any_periodic && checked.domain.dimension == 3, "domain");
 }
 
@@ -65,9 +64,9 @@ void check_copies(uint64_t) {
   require(checked.dimension == 2 && checked.index_base == 1, "dimension, index_base");
   require(checked.interaction.kind == HG_MAX_RANGE && checked.interaction.margin == 0.25, "interaction");
   require(checked.accuracy == HG_FLOAT && checked.pair_order == HG_ORDER_ID, "accuracy, pair_order");
-  require(checked.level_rule == HG_LEVELS_USER && checked.level_count == 2, "level_rule");
-  require(checked.cell_sizes[0] == 0.5 && checked.cell_sizes[1] == 2, "cell_sizes");
-  require(checked.cell_overhead == 0, "cell_overhead");
+  require(checked.levels.rule == HG_LEVELS_USER && checked.levels.level_count == 2, "level_rule");
+  require(checked.levels.cell_sizes[0] == 0.5 && checked.levels.cell_sizes[1] == 2, "cell_sizes");
+  require(checked.levels.cell_overhead == 0 && checked.levels.largest_diameter() == 2, "cell_overhead");
   require(checked.domain.any_periodic && !checked.domain.periodic[0] && checked.domain.periodic[1], "periodic");
   require(checked.domain.box_min[1] == -1 && checked.domain.box_max[1] == 3 && checked.domain.length[1] == 4, "box");
 }
@@ -79,7 +78,7 @@ void check_first_size(uint64_t) {
   hg::fill_defaults(&def, 136);
   require(def.struct_size == 136 && def.level_price > 1e300, "memory beyond the caller's struct was written");
   const Definition checked = check_definition(def), now = check_definition(defaults());
-  require(checked.prices.level == now.prices.level && checked.prices.row == now.prices.row,
+  require(checked.levels.prices.level == now.levels.prices.level && checked.levels.prices.row == now.levels.prices.row,
           "prices of an older caller");
 }
 
@@ -88,20 +87,21 @@ void check_prices(uint64_t) {
   def.level_price = 0;
   def.row_price = 7;
   Definition checked = check_definition(def);
-  require(checked.counts_work && checked.prices.level == 0 && checked.prices.row == 7, "the caller's prices");
+  require(checked.levels.counts_work && checked.levels.prices.level == 0 && checked.levels.prices.row == 7,
+          "the caller's prices");
   def.cell_overhead = 0;
-  require(!check_definition(def).counts_work, "AUTO with K goes by Eq. 7");
+  require(!check_definition(def).levels.counts_work, "AUTO with K goes by Eq. 7");
   def.cell_overhead = -1;
   def.level_rule = HG_LEVELS_PAPER;
-  require(!check_definition(def).counts_work, "PAPER goes by Eq. 7");
+  require(!check_definition(def).levels.counts_work, "PAPER goes by Eq. 7");
 }
 
 void check_paper_overhead(uint64_t) {
   hg_grid_def def = defaults();
   def.level_rule = HG_LEVELS_PAPER;
-  require(check_definition(def).cell_overhead == 0.3, "K of the paper is 0.3");
+  require(check_definition(def).levels.cell_overhead == 0.3, "K of the paper is 0.3");
   def.cell_overhead = 0.45;
-  require(check_definition(def).cell_overhead == 0.45, "the caller's K");
+  require(check_definition(def).levels.cell_overhead == 0.45, "the caller's K");
 }
 
 void check_struct_size(uint64_t) {

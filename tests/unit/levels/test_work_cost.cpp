@@ -4,13 +4,11 @@
 // of balls onto rows, the sum against its terms, and the ends of doubles.
 #include "src/grid.hpp"
 #include "src/levels/work_cost.hpp"
-#include "src/levels/level_plan.hpp"
 #include "src/space/level_cells.hpp"
 #include "tests/unit/checks.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace {
@@ -31,14 +29,14 @@ Input even_input(uint64_t seed, int dimension, size_t count, double ratio) {
   in.def.thread_count = 1;
   double volume = 0;
   for (size_t i = 0; i < count; i++) {
-    for (int k = 0; k < dimension; k++) in.centers.push_back(rng.uniform());
+    for (int axis = 0; axis < dimension; axis++) in.centers.push_back(rng.uniform());
     in.radii.push_back(1 / std::sqrt(1 - rng.uniform() * (1 - 1 / (ratio * ratio))));
     volume += std::pow(in.radii.back(), dimension) * (dimension == 3 ? 4.19 : 3.14);
   }
   for (double &r : in.radii) r *= std::pow(0.3 / volume, 1.0 / dimension);
-  for (int k = 0; k < dimension; k++) {
-    in.def.periodic[k] = 1;
-    in.def.box_max[k] = 1;
+  for (int axis = 0; axis < dimension; axis++) {
+    in.def.periodic[axis] = 1;
+    in.def.box_max[axis] = 1;
   }
   return in;
 }
@@ -159,7 +157,8 @@ void check_extremes(uint64_t seed) {
   const int least = rng.integer(-1074, 500), most = rng.integer(least, 500);
   const size_t count = 1 + rng.below(300);
   for (size_t i = 0; i < count; i++) {
-    for (int k = 0; k < in.def.dimension; k++) in.centers.push_back(std::ldexp(rng.uniform() - 0.5, least + 9));
+    for (int axis = 0; axis < in.def.dimension; axis++)
+      in.centers.push_back(std::ldexp(rng.uniform() - 0.5, least + 9));
     in.radii.push_back(rng.chance(0.1) ? 0 : std::ldexp(rng.uniform(), rng.integer(least, most)));
   }
   hg::Grid grid(hg::check_definition(in.def), hg::system_allocator());
@@ -207,5 +206,5 @@ int main() {
       cmocka_unit_test(tests_are_counted),     cmocka_unit_test(rows_are_counted), cmocka_unit_test(prices_add_up),
       cmocka_unit_test(threads_do_not_matter), cmocka_unit_test(extremes),         cmocka_unit_test(giant),
   };
-  return cmocka_run_group_tests_name("level_cost", tests, nullptr, nullptr);
+  return cmocka_run_group_tests_name("work_cost", tests, nullptr, nullptr);
 }

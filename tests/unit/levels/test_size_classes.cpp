@@ -34,6 +34,15 @@ void require_classes(const SizeClasses &classes, const std::vector<double> &radi
   require(classes.largest_radius(classes.count() - 1) == greatest, "the last class ends above all radii");
 }
 
+void bin(SizeClasses &classes, const std::vector<double> &radii) {
+  hg::Interval extremes{0, 0};
+  if (!radii.empty()) {
+    const auto [least, greatest] = std::minmax_element(radii.begin(), radii.end());
+    extremes = {*least, *greatest};
+  }
+  classes.bin_radii(radii.data(), radii.size(), extremes);
+}
+
 std::vector<double> any_radii(Rng &rng) {
   std::vector<double> radii(rng.below(3000));
   const int kind = rng.integer(0, 4);
@@ -68,7 +77,7 @@ void check_any(uint64_t seed) {
     sorted.sort_radii(radii.data(), radii.size());
     require_classes(sorted, radii);
     require(sorted.count() == std::set<double>(radii.begin(), radii.end()).size(), "a class for each distinct radius");
-    binned.bin_radii(radii.data(), radii.size());
+    bin(binned, radii);
     require_classes(binned, radii);
     require(binned.count() <= SizeClasses::kBins, "%zu bins", binned.count());
   }
@@ -82,7 +91,7 @@ void check_resolution(uint64_t seed) {
   std::vector<double> radii(20000);
   for (double &r : radii) r = rng.uniform(1, 2);
   std::sort(radii.begin(), radii.end());
-  classes.bin_radii(radii.data(), radii.size());
+  bin(classes, radii);
   size_t first = 0;
   for (size_t c = 0; c < classes.count(); c++) {
     const double ratio = classes.largest_radius(c) / radii[first];
@@ -99,7 +108,7 @@ void ratio_1e300(void **) {
     hg::Memory memory(hg::system_allocator());
     SizeClasses classes(memory);
     const std::vector<double> radii = {1e150, 1e-150, 1, 1e-150, 0, 5e-324, 1.7e308};
-    classes.bin_radii(radii.data(), radii.size());
+    bin(classes, radii);
     require_classes(classes, radii);
     require(classes.count() >= 4, "only %zu classes", classes.count());
   });
@@ -114,8 +123,8 @@ void no_particles(void **) {
     classes.sort_radii(&one, 1);
     classes.sort_radii(&one, 0);
     require(classes.count() == 0, "sorted: %zu classes", classes.count());
-    classes.bin_radii(&one, 1);
-    classes.bin_radii(&one, 0);
+    bin(classes, {1});
+    bin(classes, {});
     require(classes.count() == 0, "binned: %zu classes", classes.count());
   });
   assert_true(ok);

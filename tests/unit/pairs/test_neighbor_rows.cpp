@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // NeighborRows against rows gathered in sets.
 #include "src/pairs/neighbor_rows.hpp"
-#include "tests/unit/any_pairs.hpp"
 #include "tests/unit/checks.hpp"
+#include "tests/unit/pairs/any_pairs.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic images: all that can reach into the box, each once, forward steps first.
-#include "src/index/images.hpp"
+#include "src/index/build_index.hpp"
+#include "src/particles/bounds.hpp"
 #include "tests/unit/checks.hpp"
+#include "tests/unit/domains.hpp"
+#include "tests/unit/stores.hpp"
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -21,8 +23,8 @@ using hg::IndexLevel;
 using Key = std::pair<uint32_t, hg::Image>;  // slot and image
 
 bool is_forward(hg::Image image) {
-  for (int k = 2; k >= 0; k--) {
-    if (hg::image_step(image, k) != 0) return hg::image_step(image, k) > 0;
+  for (int axis = 2; axis >= 0; axis--) {
+    if (hg::image_step(image, axis) != 0) return hg::image_step(image, axis) > 0;
   }
   return false;
 }
@@ -32,18 +34,16 @@ class Scene {
   Scene(uint64_t seed, hg::Memory &memory)
       : rng_(seed),
         domain_(any_domain()),
-        index_(memory),
+        index_(memory, domain_, interaction_),
         scratch_(memory),
-        store_(memory, domain_, interaction_, 0, std::numeric_limits<double>::infinity()) {
-    index_.domain = domain_;
-    index_.interaction = interaction_;
-  }
+        store_(make_store(memory, domain_)) {}
 
   void check() {
     insert();
     const double sizes[3] = {0.02, 0.1, 0.4};
-    hg::build_index(index_, scratch_, store_, hg::bounds_of(store_, domain_, 1),
-                    hg::user_levels(sizes, 3, interaction_), 1);
+    const hg::Bounds bounds = hg::bounds_of(store_, domain_, 1);
+    index_.map = hg::FixedPoint::over(bounds, domain_, 2 * bounds.max_radius);
+    hg::build_index(index_, scratch_, store_, hg::user_levels(sizes, 3, interaction_), 1);
     uint32_t begin = 0;
     for (int h = 0; h < index_.level_count; h++) {
       const IndexLevel &level = index_.levels[h];
@@ -60,12 +60,9 @@ class Scene {
   Domain any_domain() {
     Domain d;
     d.dimension = rng_.integer(2, 3);
-    for (int k = 0; k < d.dimension; k++) {
-      d.periodic[k] = rng_.chance(0.6);
-      d.any_periodic = d.any_periodic || d.periodic[k];
-      d.box_min[k] = rng_.uniform(-1, 1);
-      d.box_max[k] = d.box_min[k] + rng_.uniform(0.9, 3);
-      d.length[k] = d.box_max[k] - d.box_min[k];
+    for (int axis = 0; axis < d.dimension; axis++) {
+      const double low = rng_.uniform(-1, 1);
+      set_box(d, axis, low, low + rng_.uniform(0.9, 3), rng_.chance(0.6));
     }
     return d;
   }
@@ -74,19 +71,15 @@ class Scene {
     std::vector<double> centers, radii;
     const int count = rng_.integer(1, 300);
     for (int i = 0; i < count; i++) {
-      for (int k = 0; k < domain_.dimension; k++) {
+      for (int axis = 0; axis < domain_.dimension; axis++) {
         // At a face now and then.
         double x = rng_.chance(0.1) ? 0 : rng_.uniform(-2, 3);
         if (rng_.chance(0.1)) x = std::nextafter(1, 0);
-        centers.push_back(domain_.box_min[k] + x * domain_.length[k]);
+        centers.push_back(domain_.box_min[axis] + x * domain_.length[axis]);
       }
       radii.push_back(rng_.chance(0.5) ? 0.2 * rng_.uniform() : 0.01 * rng_.uniform());
     }
     store_.insert(radii.size(), centers.data(), radii.data());
-  }
-
-  const hg::Buffer<int32_t> &axis_of(const hg::PointStore &points, int k) const {
-    return k == 0 ? points.x : (k == 1 ? points.y : points.z);
   }
 
   void check_images(const IndexLevel &level) {
@@ -99,25 +92,25 @@ class Scene {
     }
   }
 
-  // Whether a particle at x, moved by `step`, comes within `window` of the box.
-  bool reaches(int k, int32_t x, int step, double window) const {
+  // Whether a particle at x, moved by `step`, comes within `distance` of the box.
+  bool reaches(int axis, int32_t x, int step, double distance) const {
     if (step == 0) return true;
-    const double at = x + static_cast<double>(step) * index_.frame.period[k];
-    return domain_.periodic[k] && at + window >= 0 && at - window <= index_.frame.period[k];
+    const double at = x + static_cast<double>(step) * index_.map.period[axis];
+    return domain_.periodic[axis] && at + distance >= 0 && at - distance <= index_.map.period[axis];
   }
 
   void check_complete(const IndexLevel &level) {
-    const double reach = 2 * interaction_.folded_radius(level.largest_radius) * index_.frame.scale;
+    const double reach = 2 * interaction_.folded_radius(level.largest_radius) * index_.map.scale;
     size_t images = 0;
     for (uint32_t i = level.begin; i < level.end; i++) {
       for (hg::Image image = 0; image < 27; image++) {
         if (image == hg::kNoImage) continue;
         bool must = true, may = true;
-        for (int k = 0; k < 3; k++) {
-          const int step = hg::image_step(image, k);
-          const int32_t x = k < domain_.dimension ? axis_of(index_.particles, k)[i] : 0;
-          must = must && reaches(k, x, step, reach + 4);
-          may = may && reaches(k, x, step, reach * 1.001 + 4096);
+        for (int axis = 0; axis < 3; axis++) {
+          const int step = hg::image_step(image, axis);
+          const int32_t x = axis < domain_.dimension ? index_.particles.column(axis)[i] : 0;
+          must = must && reaches(axis, x, step, reach + 4);
+          may = may && reaches(axis, x, step, reach * 1.001 + 4096);
         }
         const auto found = place_.find({index_.particles.slot[i], image});
         require(!must || found != place_.end(), "slot %u: image %d is missing", index_.particles.slot[i], image);
@@ -132,10 +125,10 @@ class Scene {
   }
 
   void check_one(uint32_t particle, uint32_t at, hg::Image image) {
-    for (int k = 0; k < domain_.dimension; k++) {
+    for (int axis = 0; axis < domain_.dimension; axis++) {
       const int32_t expected =
-          axis_of(index_.particles, k)[particle] + hg::image_step(image, k) * index_.frame.period[k];
-      require(axis_of(index_.images, k)[at] == expected, "image %d: coordinate %d", image, k);
+          index_.particles.column(axis)[particle] + hg::image_step(image, axis) * index_.map.period[axis];
+      require(index_.images.column(axis)[at] == expected, "image %d: coordinate %d", image, axis);
     }
     require(index_.images.radius[at] == index_.particles.radius[particle], "image %d: radius", image);
   }

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Overlap::test() against rational numbers: nearly touching balls, far periodic images, squares out of range.
+// Overlap::holds() against rational numbers: nearly touching balls, far periodic images, squares out of range.
 #include "src/exact/overlap.hpp"
+#include "tests/support/oracle.hpp"
 #include "tests/unit/checks.hpp"
+#include "tests/unit/domains.hpp"
 
 #include <hgrid/types.h>
 
@@ -15,7 +17,6 @@
 namespace {
 
 using namespace hgtest;
-using hg::Ball;
 using hg::Domain;
 using hg::Image;
 using hg::Interaction;
@@ -32,18 +33,19 @@ struct Case {
 
 bool decide(const Case &c, int32_t accuracy, int64_t *exact = nullptr) {
   int64_t count = 0;
-  const bool answer = Overlap(c.interaction, accuracy, c.domain).test({c.a, c.ra}, {c.b, c.rb}, c.image, count);
+  const bool answer = Overlap(c.interaction, accuracy, c.domain).holds({c.a, c.ra}, {c.b, c.rb}, c.image, count);
   if (exact != nullptr) *exact = count;
   return answer;
 }
 
 mpq_class rational_square(const Case &c) {
   mpq_class sum = 0;
-  for (int k = 0; k < c.domain.dimension; k++) {
-    mpq_class d = mpq_class(c.a[k]) - mpq_class(c.b[k]);
-    if (c.domain.periodic[k]) {
-      const double boxes = hg::image_step(c.image, k) + c.domain.wraps(k, c.b[k]) - c.domain.wraps(k, c.a[k]);
-      d += mpq_class(boxes) * (mpq_class(c.domain.box_max[k]) - mpq_class(c.domain.box_min[k]));
+  for (int axis = 0; axis < c.domain.dimension; axis++) {
+    mpq_class d = mpq_class(c.a[axis]) - mpq_class(c.b[axis]);
+    if (c.domain.periodic[axis]) {
+      const double boxes =
+          hg::image_step(c.image, axis) + c.domain.wraps(axis, c.b[axis]) - c.domain.wraps(axis, c.a[axis]);
+      d += mpq_class(boxes) * (mpq_class(c.domain.box_max[axis]) - mpq_class(c.domain.box_min[axis]));
     }
     sum += d * d;
   }
@@ -75,12 +77,12 @@ void any_direction(Rng &rng, double *u) {
   double norm = 0;
   while (norm < 0.01) {
     norm = 0;
-    for (int k = 0; k < 3; k++) {
-      u[k] = rng.uniform(-1, 1);
-      norm += u[k] * u[k];
+    for (int axis = 0; axis < 3; axis++) {
+      u[axis] = rng.uniform(-1, 1);
+      norm += u[axis] * u[axis];
     }
   }
-  for (int k = 0; k < 3; k++) u[k] /= std::sqrt(norm);
+  for (int axis = 0; axis < 3; axis++) u[axis] /= std::sqrt(norm);
 }
 
 Case any_radii(Rng &rng, double unit) {
@@ -103,7 +105,7 @@ void let_touch(Rng &rng, Case &c) {
     u[0] /= norm;
     u[1] /= norm;
   }
-  for (int k = 0; k < c.domain.dimension; k++) c.b[k] = nudged(rng, c.a[k] + reach * u[k]);
+  for (int axis = 0; axis < c.domain.dimension; axis++) c.b[axis] = nudged(rng, c.a[axis] + reach * u[axis]);
 }
 
 void check_touching(uint64_t seed) {
@@ -131,23 +133,20 @@ void check_periodic(uint64_t seed) {
   Case c = any_radii(rng, 1);
   const double reach = c.interaction.diameter(c.ra > c.rb ? c.ra : c.rb);
   const int step[3] = {rng.integer(-1, 1), rng.integer(-1, 1), c.domain.dimension == 3 ? rng.integer(-1, 1) : 0};
-  for (int k = 0; k < c.domain.dimension; k++) {
-    c.domain.periodic[k] = rng.chance(0.7);
-    c.domain.box_min[k] = rng.chance(0.3) ? 0 : rng.uniform(-100, 100);
-    c.domain.box_max[k] = c.domain.box_min[k] + reach * rng.uniform(2.1, 30);
-    c.domain.length[k] = c.domain.box_max[k] - c.domain.box_min[k];
-    c.domain.any_periodic = c.domain.any_periodic || c.domain.periodic[k];
-    c.a[k] = c.domain.box_min[k] + c.domain.length[k] * rng.uniform();
+  for (int axis = 0; axis < c.domain.dimension; axis++) {
+    const double low = rng.chance(0.3) ? 0 : rng.uniform(-100, 100);
+    set_box(c.domain, axis, low, low + reach * rng.uniform(2.1, 30), rng.chance(0.7));
+    c.a[axis] = c.domain.box_min[axis] + c.domain.length[axis] * rng.uniform();
   }
   c.image = hg::make_image(c.domain.periodic[0] ? step[0] : 0, c.domain.periodic[1] ? step[1] : 0,
                            c.domain.periodic[2] ? step[2] : 0);
   let_touch(rng, c);
-  for (int k = 0; k < c.domain.dimension; k++) {
-    if (!c.domain.periodic[k]) continue;
+  for (int axis = 0; axis < c.domain.dimension; axis++) {
+    if (!c.domain.periodic[axis]) continue;
     const double most = rng.chance(0.5) ? 3 : hg::kMaxWraps - 2;
     const double boxes = std::floor(rng.uniform(-most, most));
-    c.b[k] = nudged(rng, c.b[k] + (hg::image_step(c.image, k) + boxes) * c.domain.length[k]);
-    if (rng.chance(0.5)) c.a[k] += std::floor(rng.uniform(-most, most)) * c.domain.length[k];
+    c.b[axis] = nudged(rng, c.b[axis] + (hg::image_step(c.image, axis) + boxes) * c.domain.length[axis]);
+    if (rng.chance(0.5)) c.a[axis] += std::floor(rng.uniform(-most, most)) * c.domain.length[axis];
   }
   require_exact("periodic", c);
 }
@@ -158,10 +157,7 @@ void check_double(uint64_t seed) {
   Case c = any_radii(rng, std::ldexp(1.0, rng.chance(0.7) ? rng.integer(-5, 5) : rng.integer(-1070, 1020)));
   for (double &x : c.a) x = c.ra * rng.uniform(-100, 100);
   let_touch(rng, c);
-  const double dx = c.a[0] - c.b[0], dy = c.a[1] - c.b[1], dz = c.a[2] - c.b[2];
-  double s = c.interaction.kind == HG_CONTACT ? c.ra + c.rb : std::fmax(c.ra, c.rb);
-  s = s + c.interaction.margin;
-  const bool expected = c.domain.dimension == 3 ? dx * dx + dy * dy + dz * dz < s * s : dx * dx + dy * dy < s * s;
+  const bool expected = double_interact(rule_of(c.domain, c.interaction), {c.a, c.ra}, {c.b, c.rb});
   require(decide(c, HG_DOUBLE) == expected, "HG_DOUBLE is not the plain expression, which gives %d", expected);
 }
 

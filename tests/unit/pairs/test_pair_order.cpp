@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PairOrder against std::sort.
 #include "src/pairs/pair_order.hpp"
-#include "tests/unit/any_pairs.hpp"
-
-#include <algorithm>
-#include <vector>
+#include "tests/unit/pairs/any_pairs.hpp"
+#include "tests/unit/same_pairs.hpp"
 
 namespace {
 
@@ -18,14 +16,10 @@ void check_any(uint64_t seed) {
   for (int pass = 0; pass < 3; pass++) {
     const int slots = rng.integer(0, 300);
     const int32_t base = rng.integer(0, 1);
-    std::vector<hg_pair> pairs = any_pairs(rng, slots, base), expected = pairs;
-    std::sort(expected.begin(), expected.end(),
-              [](const hg_pair &p, const hg_pair &q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+    Pairs pairs = any_pairs(rng, slots, base);
+    const Pairs expected = sorted(pairs.data(), pairs.size());
     order.ascend(pairs.data(), pairs.size(), static_cast<size_t>(slots), base);
-    for (size_t k = 0; k < pairs.size(); k++) {
-      require(pairs[k].a == expected[k].a && pairs[k].b == expected[k].b, "pair %zu is (%d, %d)", k, pairs[k].a,
-              pairs[k].b);
-    }
+    require_pairs("in order", pairs, expected);
   }
 }
 

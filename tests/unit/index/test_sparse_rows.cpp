@@ -3,6 +3,8 @@
 // SparseRows against brute force: clusters far apart, several levels one after the other.
 #include "src/index/sparse_rows.hpp"
 #include "tests/unit/checks.hpp"
+#include "tests/unit/domains.hpp"
+#include "tests/unit/stores.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +14,6 @@
 namespace {
 
 using namespace hgtest;
-using hg::Domain;
 using hg::ParticleStore;
 using hg::SparseLevel;
 using hg::SparseRows;
@@ -33,7 +34,7 @@ class Scene {
       : rng_(seed),
         dimension_(rng_.integer(2, 3)),
         scale_(std::pow(10, rng_.chance(0.3) ? rng_.uniform(-300, 300) : 0)),
-        store_(memory, domain(), hg::Interaction{}, 0, std::numeric_limits<double>::infinity()),
+        store_(make_store(memory, open_space(dimension_))),
         sparse_(memory) {}
 
   void check() {
@@ -55,11 +56,6 @@ class Scene {
   }
 
  private:
-  Domain domain() const {
-    Domain d;
-    d.dimension = dimension_;
-    return d;
-  }
   const double *center(uint32_t slot) const { return store_.center(slot); }
 
   // Tight clusters at wildly different distances, some particles at one place, some on row borders.
@@ -81,7 +77,7 @@ class Scene {
       }
       const int count = rng_.integer(1, 60);
       for (int i = 0; i < count; i++) {
-        for (int k = 0; k < dimension_; k++) centers.push_back(place(at[k]));
+        for (int axis = 0; axis < dimension_; axis++) centers.push_back(place(at[axis]));
         radii.push_back(0.5 * scale_);
       }
     }
@@ -102,7 +98,8 @@ class Scene {
       const double origin[3] = {0, rng_.chance(0.5) ? 0 : scale_ * rng_.uniform(), 0};
       const auto size = static_cast<uint32_t>(slots.size());
       const double width = scale_ * std::pow(2, rng_.integer(0, 3));
-      const SparseLevel rows = sparse_.add_level(store_, domain(), origin, width, slots.data(), begin, size);
+      const SparseLevel rows =
+          sparse_.add_level(store_, open_space(dimension_), origin, width, slots.data(), begin, size);
       levels_.push_back({rows, slots});
       begin += size;
     }
@@ -120,24 +117,25 @@ class Scene {
     const double *at = center(static_cast<uint32_t>(rng_.below(store_.slots())));
     const double reach = scale_ * (rng_.chance(0.2) ? 0 : rng_.uniform(0, 4));
     Box box{};
-    for (int k = 0; k < dimension_; k++) {
-      box.low[k] = at[k] - reach;
-      box.high[k] = at[k] + reach;
+    for (int axis = 0; axis < dimension_; axis++) {
+      box.low[axis] = at[axis] - reach;
+      box.high[axis] = at[axis] + reach;
     }
     return box;
   }
   Box everywhere() const {
     Box box{};
-    for (int k = 0; k < dimension_; k++) {
-      box.low[k] = -std::numeric_limits<double>::infinity();
-      box.high[k] = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < dimension_; axis++) {
+      box.low[axis] = -std::numeric_limits<double>::infinity();
+      box.high[axis] = std::numeric_limits<double>::infinity();
     }
     return box;
   }
 
   bool inside(const Box &box, uint32_t slot) const {
     bool in = true;
-    for (int k = 0; k < dimension_; k++) in = in && center(slot)[k] >= box.low[k] && center(slot)[k] <= box.high[k];
+    for (int axis = 0; axis < dimension_; axis++)
+      in = in && center(slot)[axis] >= box.low[axis] && center(slot)[axis] <= box.high[axis];
     return in;
   }
 
@@ -175,9 +173,9 @@ class Scene {
       if (rng_.chance(0.1)) continue;  // particles may be left out
       const double *at = center(level.slots[i - begin]);
       Box box{};
-      for (int k = 0; k < dimension_; k++) {
-        box.low[k] = at[k] - reach;
-        box.high[k] = at[k] + reach;
+      for (int axis = 0; axis < dimension_; axis++) {
+        box.low[axis] = at[axis] - reach;
+        box.high[axis] = at[axis] + reach;
       }
       std::vector<int> visits(level.slots.size(), 0);
       sparse_.visit_after(level.rows, dimension_, i, place, box.low, box.high, [&](uint32_t first, uint32_t last) {

@@ -33,12 +33,7 @@ std::map<Part, Range> expected_parts(const hg::Index &index) {
 void check_tasks(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
-  CrowdShape shape;
-  shape.dimension = rng.integer(2, 3);
-  shape.periodic = rng.chance(0.5);
-  shape.outlier = !shape.periodic && rng.chance(0.5);
-  shape.count = rng.below(rng.chance(0.2) ? 60000 : 500);
-  const Crowd crowd(seed, memory, shape);
+  const Crowd crowd(seed, memory, any_shape(rng, rng.below(rng.chance(0.2) ? 60000 : 500)));
   const hg::Index &index = crowd.index;
 
   std::map<Part, Range> left = expected_parts(index);

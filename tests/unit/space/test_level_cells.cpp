@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// How cells are laid: never too many, rows never too narrow for the search, all of the frame covered.
+// How cells are laid: never too many, rows never too narrow for the search, all of space covered.
 #include "src/space/level_cells.hpp"
 #include "tests/unit/checks.hpp"
 
@@ -14,30 +14,30 @@ using hg::FixedPoint;
 using hg::LevelCells;
 
 struct Layout {
-  Frame frame;
+  FixedPoint map;
   int dimension = 3;
   double cell_size = 0;
   size_t particles = 1;
 };
 
 void require_layout(const Layout &in) {
-  const LevelCells laid = hg::lay_cells(in.frame, in.dimension, in.cell_size, in.particles);
+  const LevelCells laid = hg::lay_cells(in.map, in.dimension, in.cell_size, in.particles);
   const hg::CellTable &table = laid.table;
   double cells = 1, rows = 1;
-  for (int k = 0; k < 3; k++) {
-    require(table.count[k] >= 1 && table.count[k] <= 1 << 18, "count[%d] = %d", k, table.count[k]);
-    cells *= table.count[k];
-    if (k > 0) rows *= table.count[k];
-    const double width = static_cast<double>(table.width[k]), extent = k < in.dimension ? in.frame.extent[k] : 0;
+  for (int axis = 0; axis < 3; axis++) {
+    require(table.count[axis] >= 1 && table.count[axis] <= 1 << 18, "count[%d] = %d", axis, table.count[axis]);
+    cells *= table.count[axis];
+    if (axis > 0) rows *= table.count[axis];
+    const double width = static_cast<double>(table.width[axis]), extent = axis < in.dimension ? in.map.extent[axis] : 0;
     const double slack = 1 + 0x1p-20;  // widths are floats
-    require(width * table.count[k] * slack >= extent, "axis %d: %d cells of %g do not cover %g", k, table.count[k],
-            width, extent);
-    require(std::fabs(static_cast<double>(table.inverse_width[k]) * width - 1) < 0x1p-22 || std::isinf(width),
-            "inverse of width %g is %g", width, static_cast<double>(table.inverse_width[k]));
-    if (k >= in.dimension) require(table.count[k] == 1, "%d layers in z of a plane", table.count[k]);
+    require(width * table.count[axis] * slack >= extent, "axis %d: %d cells of %g do not cover %g", axis,
+            table.count[axis], width, extent);
+    require(std::fabs(static_cast<double>(table.inverse_width[axis]) * width - 1) < 0x1p-22 || std::isinf(width),
+            "inverse of width %g is %g", width, static_cast<double>(table.inverse_width[axis]));
+    if (axis >= in.dimension) require(table.count[axis] == 1, "%d layers in z of a plane", table.count[axis]);
     // A search visits next rows only: a row must hold the reach and what rounding adds at both ends.
-    const double least = k == 0 ? 4096 : in.cell_size + 2.0 * static_cast<double>(hg::kSearchSlack);
-    if (k < in.dimension) require(width * slack >= least, "axis %d: width %g is below %g", k, width, least);
+    const double least = axis == 0 ? 4096 : in.cell_size + 2.0 * static_cast<double>(hg::kSearchSlack);
+    if (axis < in.dimension) require(width * slack >= least, "axis %d: width %g is below %g", axis, width, least);
   }
   require(static_cast<double>(laid.cells) == cells && static_cast<double>(laid.rows) == rows,
           "%zu cells in %zu rows instead of %g in %g", laid.cells, laid.rows, cells, rows);
@@ -49,9 +49,9 @@ Layout any_layout(Rng &rng) {
   Layout in;
   in.dimension = rng.integer(2, 3);
   const int widest = rng.integer(0, in.dimension - 1);
-  for (int k = 0; k < in.dimension; k++) {
-    in.frame.extent[k] = k == widest ? rng.uniform(0x1p29, 0x1p30) : std::pow(2, rng.uniform(-5, 30));
-    if (k != widest && rng.chance(0.3)) in.frame.extent[k] = 0;
+  for (int axis = 0; axis < in.dimension; axis++) {
+    in.map.extent[axis] = axis == widest ? rng.uniform(0x1p29, 0x1p30) : std::pow(2, rng.uniform(-5, 30));
+    if (axis != widest && rng.chance(0.3)) in.map.extent[axis] = 0;
   }
   in.cell_size = rng.chance(0.1) ? 0 : std::pow(2, rng.uniform(-40, 32));
   in.particles = 1 + static_cast<size_t>(std::pow(2, rng.uniform(0, 27)));
@@ -66,12 +66,12 @@ void check_any(uint64_t seed) {
 // A table that is too large by less than the most stretch keeps its row width; a larger one keeps the stretch.
 void check_stretch(uint64_t) {
   Layout in;
-  in.frame.extent[0] = in.frame.extent[1] = in.frame.extent[2] = 0x1p30;
+  in.map.extent[0] = in.map.extent[1] = in.map.extent[2] = 0x1p30;
   in.cell_size = 0x1p22;  // 256 cells along an edge, 128^2 * 512 cells in all
   const double cells = 128.0 * 128 * 512, row = hg::kRowWidth * in.cell_size, cell = hg::kCellLength * in.cell_size;
   for (double excess : {0.5, 1.0, 3.0, 7.9, 64.0}) {
     in.particles = static_cast<size_t>(cells / excess / hg::kCellsPerParticle);
-    const LevelCells laid = hg::lay_cells(in.frame, 3, in.cell_size, in.particles);
+    const LevelCells laid = hg::lay_cells(in.map, 3, in.cell_size, in.particles);
     const double wide = static_cast<double>(laid.table.width[1]) / row;
     const double longer = static_cast<double>(laid.table.width[0]) / cell;
     require(laid.widened == (excess > 1), "excess %g: widened %d", excess, laid.widened);
@@ -91,7 +91,7 @@ void check_degenerate(uint64_t) {
     for (double cell_size : {0.0, 1e-300, 1.0, 0x1p30, 1e30, 1e300, std::numeric_limits<double>::infinity()}) {
       for (size_t particles : {size_t{1}, size_t{1000}, size_t{2147483647}}) {
         Layout in;
-        in.frame.extent[0] = in.frame.extent[1] = in.frame.extent[2] = extent;
+        in.map.extent[0] = in.map.extent[1] = in.map.extent[2] = extent;
         in.cell_size = cell_size;
         in.particles = particles;
         require_layout(in);
@@ -105,18 +105,18 @@ void degenerate(void **) { assert_true(holds(0, check_degenerate)); }
 // Where memory allows the widths asked for, they are given, but for dividing the extent evenly.
 void check_widths(uint64_t) {
   Layout in;
-  for (double &e : in.frame.extent) e = 0x1p30;
+  for (double &e : in.map.extent) e = 0x1p30;
   in.cell_size = 0x1p24;
   in.particles = 1000000;
-  const LevelCells laid = hg::lay_cells(in.frame, 3, in.cell_size, in.particles);
+  const LevelCells laid = hg::lay_cells(in.map, 3, in.cell_size, in.particles);
   require(!laid.widened, "widened without need");
-  for (int k = 0; k < 3; k++) {
-    const double wanted = in.cell_size * (k == 0 ? hg::kCellLength : hg::kRowWidth);
-    const double width = static_cast<double>(laid.table.width[k]);
-    require(width >= wanted * (1 - 1e-6) && width < wanted * 1.05, "axis %d: width %g, wanted %g", k, width, wanted);
+  for (int axis = 0; axis < 3; axis++) {
+    const double wanted = in.cell_size * (axis == 0 ? hg::kCellLength : hg::kRowWidth);
+    const double width = static_cast<double>(laid.table.width[axis]);
+    require(width >= wanted * (1 - 1e-6) && width < wanted * 1.05, "axis %d: width %g, wanted %g", axis, width, wanted);
   }
   in.particles = 1000;
-  require(hg::lay_cells(in.frame, 3, in.cell_size, in.particles).widened, "2^18 cells for 1000 particles");
+  require(hg::lay_cells(in.map, 3, in.cell_size, in.particles).widened, "2^18 cells for 1000 particles");
 }
 
 void widths(void **) { assert_true(holds(0, check_widths)); }

@@ -28,7 +28,7 @@ mpq_class rational(const ExactSum &sum) {
 
 bool rational_less(const ExactSum *difference, int dimension, const ExactSum &reach) {
   mpq_class squares = 0;
-  for (int k = 0; k < dimension; k++) squares += rational(difference[k]) * rational(difference[k]);
+  for (int axis = 0; axis < dimension; axis++) squares += rational(difference[axis]) * rational(difference[axis]);
   return squares < rational(reach) * rational(reach);
 }
 
@@ -113,7 +113,7 @@ void check_ties(uint64_t seed) {
   const int dimension = tuple[2] == 0 ? 2 : 3;
   const double scale = std::ldexp(1.0, rng.integer(-1074, 1018));
   ExactSum difference[3];
-  for (int k = 0; k < 3; k++) difference[k] = cancelling_sum(rng, scale * tuple[k], any_double(rng));
+  for (int axis = 0; axis < 3; axis++) difference[axis] = cancelling_sum(rng, scale * tuple[axis], any_double(rng));
   const ExactSum tie = cancelling_sum(rng, scale * tuple[3], any_double(rng));
   require(!exact_less(difference, dimension, tie), "a tie counts as less");
   ExactSum more = tie, less = tie;

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The built index: every particle once, on its level, in its cell, at its place.
-#include "src/index/index.hpp"
+#include "src/index/build_index.hpp"
+#include "src/particles/bounds.hpp"
 #include "tests/unit/checks.hpp"
-
-#include <gmpxx.h>
+#include "tests/unit/domains.hpp"
+#include "tests/unit/exact_place.hpp"
+#include "tests/unit/plain_cells.hpp"
+#include "tests/unit/stores.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace {
@@ -18,24 +20,15 @@ using hg::Domain;
 using hg::Index;
 using hg::IndexLevel;
 
-mpz_class floor_of(const mpq_class &x) {
-  mpz_class quotient;
-  mpz_fdiv_q(quotient.get_mpz_t(), x.get_num_mpz_t(), x.get_den_mpz_t());
-  return quotient;
-}
-
 class Scene {
  public:
   Scene(uint64_t seed, hg::Memory &memory)
       : rng_(seed),
         domain_(any_domain()),
         interaction_(any_interaction()),
-        index_(memory),
+        index_(memory, domain_, interaction_),
         scratch_(memory),
-        store_(memory, domain_, interaction_, 0, std::numeric_limits<double>::infinity()) {
-    index_.domain = domain_;
-    index_.interaction = interaction_;
-  }
+        store_(make_store(memory, domain_, interaction_)) {}
 
   // Twice, as buffers are used again.
   void check() {
@@ -44,7 +37,10 @@ class Scene {
       insert();
       bounds_ = hg::bounds_of(store_, domain_, 1);
       plan_ = any_plan();
-      hg::build_index(index_, scratch_, store_, bounds_, plan_, rng_.integer(1, 4));
+      if (store_.slots() > 0) {
+        index_.map = hg::FixedPoint::over(bounds_, domain_, interaction_.diameter(bounds_.max_radius));
+      }
+      hg::build_index(index_, scratch_, store_, plan_, rng_.integer(1, 4));
       check_levels();
       check_places();
       for (int h = 0; h < index_.level_count; h++) check_cells(index_.levels[h]);
@@ -57,12 +53,9 @@ class Scene {
     d.dimension = rng_.integer(2, 3);
     // Far from the origin, at a power of two, where numbers below the box are finer than those in it.
     const double far = rng_.chance(0.3) ? std::ldexp(rng_.chance(0.5) ? 1 : -1, rng_.integer(10, 45)) : 0;
-    for (int k = 0; k < d.dimension; k++) {
-      d.periodic[k] = rng_.chance(0.4);
-      d.any_periodic = d.any_periodic || d.periodic[k];
-      d.box_min[k] = far != 0 ? far : rng_.uniform(-10, 10);
-      d.box_max[k] = d.box_min[k] + (far != 0 ? 1 : rng_.uniform(1, 2));
-      d.length[k] = d.box_max[k] - d.box_min[k];
+    for (int axis = 0; axis < d.dimension; axis++) {
+      const double low = far != 0 ? far : rng_.uniform(-10, 10);
+      set_box(d, axis, low, low + (far != 0 ? 1 : rng_.uniform(1, 2)), rng_.chance(0.4));
     }
     return d;
   }
@@ -76,10 +69,10 @@ class Scene {
     const bool clustered = rng_.chance(0.3);
     std::vector<double> centers, radii;
     for (size_t i = 0; i < count; i++) {
-      for (int k = 0; k < domain_.dimension; k++) {
+      for (int axis = 0; axis < domain_.dimension; axis++) {
         double x = rng_.uniform(-1, 2);
-        if (clustered && !domain_.periodic[k]) x = (x - 1) * 1e-4 + std::floor(rng_.uniform(0, 3)) * 1e6;
-        centers.push_back(domain_.box_min[k] + x * domain_.length[k]);
+        if (clustered && !domain_.periodic[axis]) x = (x - 1) * 1e-4 + std::floor(rng_.uniform(0, 3)) * 1e6;
+        centers.push_back(domain_.box_min[axis] + x * domain_.length[axis]);
       }
       radii.push_back(std::pow(10, rng_.uniform(-6, -1.3)));
     }
@@ -119,37 +112,16 @@ class Scene {
     require(begin == store_.slots() || index_.level_count == 0, "%u of %zu particles", begin, store_.slots());
   }
 
-  // Open axes: floored, so at most one quantum off. Periodic ones: from the exact position in the box, modulo the
-  // period, with what wrapping may add (docs/theory/exactness.md).
   void check_places() {
     const hg::PointStore &points = index_.particles;
     for (uint32_t i = 0; i < store_.slots(); i++) {
       const double *center = store_.center(points.slot[i]);
-      const int32_t at[3] = {points.x[i], points.y[i], domain_.dimension == 3 ? points.z[i] : 0};
-      for (int k = 0; k < domain_.dimension; k++) {
-        mpq_class offset = mpq_class(center[k]) - mpq_class(domain_.periodic[k] ? domain_.box_min[k] : bounds_.min[k]);
-        const mpq_class scale(index_.frame.scale);
-        mpq_class allowed = 1;
-        if (domain_.periodic[k]) {
-          const mpq_class length = mpq_class(domain_.box_max[k]) - mpq_class(domain_.box_min[k]);
-          offset -= floor_of(offset / length) * length;
-          const mpq_class error = offset * scale - at[k];
-          if (abs(error) > length * scale / 2) offset -= error > 0 ? length : -length;  // rounded to the other face
-          allowed = mpq_class(11, 8);
-        }
-        const mpq_class error = offset * scale - at[k];
-        require(abs(error) <= allowed, "axis %d%s: %a is %g quanta from its place", k,
-                domain_.periodic[k] ? " (periodic)" : "", center[k], error.get_d());
+      for (int axis = 0; axis < domain_.dimension; axis++) {
+        require_place(index_.map, domain_, axis, center[axis], points.column(axis)[i]);
       }
-      const double folded = interaction_.folded_radius(store_.radius(points.slot[i])) * index_.frame.scale;
+      const double folded = interaction_.folded_radius(store_.radius(points.slot[i])) * index_.map.scale;
       require(std::fabs(static_cast<double>(points.radius[i]) - folded) <= 0x1p-23 * folded, "radius of %u", i);
     }
-  }
-
-  // The map from coordinates to cells, as kernel.hpp states it.
-  static size_t cell_of(const hg::CellTable &cells, int axis, int32_t x) {
-    const float last = static_cast<float>(cells.count[axis]) - 0.5f;
-    return static_cast<size_t>(std::min(std::max(static_cast<float>(x) * cells.inverse_width[axis], 0.0f), last));
   }
 
   void check_cells(const IndexLevel &level) {
@@ -160,12 +132,12 @@ class Scene {
     require(table.cell_begin[0] == level.begin && table.cell_begin[cells] == level.end, "the table's ends");
     for (size_t c = 0; c < cells; c++) require(table.cell_begin[c] <= table.cell_begin[c + 1], "cell %zu", c);
     for (uint32_t i = level.begin; i < level.end; i++) {
-      size_t c = cell_of(table, 1, index_.particles.y[i]);
-      if (domain_.dimension == 3) c += cell_of(table, 2, index_.particles.z[i]) * count_y;
-      c = c * count_x + cell_of(table, 0, index_.particles.x[i]);
+      size_t c = plain_cell(table, 1, index_.particles.y[i]);
+      if (domain_.dimension == 3) c += plain_cell(table, 2, index_.particles.z[i]) * count_y;
+      c = c * count_x + plain_cell(table, 0, index_.particles.x[i]);
       require(i >= table.cell_begin[c] && i < table.cell_begin[c + 1], "particle %u is not in its cell %zu", i, c);
     }
-    const float largest = static_cast<float>(interaction_.folded_radius(level.largest_radius) * index_.frame.scale);
+    const float largest = static_cast<float>(interaction_.folded_radius(level.largest_radius) * index_.map.scale);
     require(table.largest_radius == largest, "largest folded radius");
   }
 
@@ -189,17 +161,17 @@ void any_scenes(void **) { assert_true(sweep(120, check_scene)); }
 // One particle far away must not cost memory: cells stay bounded, the crowd goes to sparse rows.
 void check_outlier(uint64_t) {
   hg::Memory memory(hg::system_allocator());
-  Index index(memory);
+  Index index(memory, open_space(3), {});
   hg::BuildScratch scratch(memory);
-  hg::ParticleStore store(memory, index.domain, index.interaction, 0, HUGE_VAL);
+  hg::ParticleStore store = make_store(memory, index.domain);
   Rng rng(1);
   std::vector<double> centers, radii(20000, 0.5);
   for (size_t i = 0; i < 3 * radii.size(); i++) centers.push_back(rng.uniform(0, 30));
   centers[0] = 1e12;
   store.insert(radii.size(), centers.data(), radii.data());
   const double size = 1;
-  hg::build_index(index, scratch, store, hg::bounds_of(store, index.domain, 1),
-                  hg::user_levels(&size, 1, index.interaction), 1);
+  index.map = hg::FixedPoint::over(hg::bounds_of(store, index.domain, 1), index.domain, size);
+  hg::build_index(index, scratch, store, hg::user_levels(&size, 1, index.interaction), 1);
   require(index.levels[0].sparse, "20000 particles in one cell");
   require(memory.bytes() < 20000 * 200, "%lld bytes", static_cast<long long>(memory.bytes()));
 }
@@ -210,5 +182,5 @@ void outlier(void **) { assert_true(holds(0, check_outlier)); }
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(any_scenes), cmocka_unit_test(outlier)};
-  return cmocka_run_group_tests_name("index", tests, nullptr, nullptr);
+  return cmocka_run_group_tests_name("build_index", tests, nullptr, nullptr);
 }

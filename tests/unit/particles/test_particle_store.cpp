@@ -3,12 +3,14 @@
 // ParticleStore against a map from ids to particles, its refusals, and refused memory.
 #include "src/particles/particle_store.hpp"
 #include "tests/unit/checks.hpp"
+#include "tests/unit/domains.hpp"
+#include "tests/unit/refusing_memory.hpp"
+#include "tests/unit/stores.hpp"
 
 #include <hgrid/types.h>
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <map>
 #include <vector>
@@ -30,30 +32,10 @@ struct Particle {
 };
 using Model = std::map<int32_t, Particle>;
 
-Domain open_space(int dimension) {
-  Domain domain;
-  domain.dimension = dimension;
-  return domain;
-}
-
 Domain periodic_x(double low, double high) {
   Domain domain;
-  domain.periodic[0] = domain.any_periodic = true;
-  domain.box_min[0] = low;
-  domain.box_max[0] = high;
-  domain.length[0] = high - low;
+  set_box(domain, 0, low, high);
   return domain;
-}
-
-// An allocator that refuses everything once told to.
-bool refuse_memory = false;
-hg_allocator refusing() {
-  hg_allocator allocator = hg::system_allocator();
-  allocator.allocate = [](void *, size_t size) { return refuse_memory ? nullptr : std::malloc(size); };
-  allocator.reallocate = [](void *, void *memory, size_t, size_t size) {
-    return refuse_memory ? nullptr : std::realloc(memory, size);
-  };
-  return allocator;
 }
 
 void require_model(const ParticleStore &store, const Model &model, int dimension) {
@@ -64,8 +46,8 @@ void require_model(const ParticleStore &store, const Model &model, int dimension
     require(store.id(slot) == id, "slot %zu: id %d instead of %d", slot, store.id(slot), id);
     require(store.find(id) == slot, "id %d: slot %zu instead of %zu", id, store.find(id), slot);
     require(store.radius(slot) == particle.radius, "id %d: radius %g", id, store.radius(slot));
-    for (int k = 0; k < dimension; k++) {
-      require(store.center(slot)[k] == particle.center[static_cast<size_t>(k)], "id %d: center[%d]", id, k);
+    for (int axis = 0; axis < dimension; axis++) {
+      require(store.center(slot)[axis] == particle.center[static_cast<size_t>(axis)], "id %d: center[%d]", id, axis);
     }
     slot++;
   }
@@ -81,7 +63,7 @@ class Script {
         dimension_(rng_.integer(2, 3)),
         base_(rng_.integer(0, 1)),
         next_(base_),
-        store_(memory, open_space(dimension_), Interaction{}, base_, kInfinity) {}
+        store_(make_store(memory, open_space(dimension_), {}, base_)) {}
 
   void step() {
     switch (rng_.below(6)) {
@@ -200,7 +182,7 @@ void like_a_map(void **) { assert_true(sweep(200, check_script)); }
 // Bad values are named and nothing changes, whichever call brings them.
 void check_bad_values(uint64_t) {
   Memory memory(hg::system_allocator());
-  ParticleStore store(memory, open_space(3), Interaction{}, 0, kInfinity);
+  ParticleStore store = make_store(memory, open_space(3));
   const double good[9] = {0, 1, 2, 3, 4, 5, 6, 7, 8}, radii[3] = {1, 0, 3};
   store.insert(3, good, radii);
   const struct {
@@ -227,7 +209,7 @@ void bad_values(void **) { assert_true(holds(0, check_bad_values)); }
 
 void check_periodic_limits(uint64_t) {
   Memory memory(hg::system_allocator());
-  ParticleStore store(memory, periodic_x(1, 3), Interaction{HG_CONTACT, 0.25}, 0, kInfinity);
+  ParticleStore store = make_store(memory, periodic_x(1, 3), Interaction{HG_CONTACT, 0.25});
   const double far[3] = {1 + 2 * hg::kMaxWraps + 2.5, 0, 0}, edge[3] = {1 + 2 * hg::kMaxWraps + 0.5, 0, 0};
   const double fits = 0.375, too_large = std::nextafter(0.375, 1);
   require_refused("wraps", HG_ERR_LIMIT, "centers[0][0]", [&] { store.insert(1, far, &fits); });
@@ -245,15 +227,15 @@ void check_box_exactly(uint64_t) {
   Memory memory(hg::system_allocator());
   const double origin[3] = {0, 0, 0};
   // 0.2 + 0.2 + 0.1 rounds to 0.5 but is more.
-  ParticleStore sum(memory, periodic_x(0, 1), Interaction{HG_CONTACT, 0.1}, 0, kInfinity);
+  ParticleStore sum = make_store(memory, periodic_x(0, 1), Interaction{HG_CONTACT, 0.1});
   const double r = 0.2;
   require_refused("sum", HG_ERR_ARGUMENT, "radii[0]", [&] { sum.insert(1, origin, &r); });
   // 1 - 2^-55 rounds to 1 but is less.
-  ParticleStore length(memory, periodic_x(0x1p-55, 1), Interaction{}, 0, kInfinity);
+  ParticleStore length = make_store(memory, periodic_x(0x1p-55, 1));
   const double quarter = 0.25, less = std::nextafter(0.25, 0);
   require_refused("length", HG_ERR_ARGUMENT, "radii[0]", [&] { length.insert(1, origin, &quarter); });
   length.insert(1, origin, &less);
-  ParticleStore range(memory, periodic_x(0, 1), Interaction{HG_MAX_RANGE, 0.25}, 0, kInfinity);
+  ParticleStore range = make_store(memory, periodic_x(0, 1), Interaction{HG_MAX_RANGE, 0.25});
   range.insert(1, origin, &quarter);
   require(length.live_count() == 1 && range.live_count() == 1, "boxes that are just long enough");
 }
@@ -262,7 +244,7 @@ void box_exactly(void **) { assert_true(holds(0, check_box_exactly)); }
 
 void check_largest_cell(uint64_t) {
   Memory memory(hg::system_allocator());
-  ParticleStore store(memory, open_space(3), Interaction{HG_CONTACT, 0.5}, 0, 2.5);
+  ParticleStore store = make_store(memory, open_space(3), Interaction{HG_CONTACT, 0.5}, 0, 2.5);
   const double x[6] = {0, 0, 0, 1, 1, 1}, good[2] = {0.5, 1}, bad[2] = {0.5, std::nextafter(1, 2)};
   require_refused("cell", HG_ERR_ARGUMENT, "radii[1]", [&] { store.insert(2, x, bad); });
   store.insert(2, x, good);
@@ -274,17 +256,18 @@ void largest_cell(void **) { assert_true(holds(0, check_largest_cell)); }
 
 // Refused memory leaves the store as it was.
 void check_refused_memory(uint64_t) {
-  Memory memory(refusing());
-  ParticleStore store(memory, open_space(2), Interaction{}, 1, kInfinity);
+  Memory memory(refusing_allocator());
+  ParticleStore store = make_store(memory, open_space(2), {}, 1);
   const double x[4] = {1, 2, 3, 4}, r[2] = {5, 6};
   store.insert(2, x, r);
   const Model model = {{1, {{1, 2, 0}, 5}}, {2, {{3, 4, 0}, 6}}};
   const std::vector<double> many(2000, 0.5);
   const int32_t id = 1;
-  refuse_memory = true;
-  require_refused("insert", HG_ERR_MEMORY, "memory", [&] { store.insert(1000, many.data(), many.data()); });
-  require_refused("remove", HG_ERR_MEMORY, "memory", [&] { store.remove(1, &id); });
-  refuse_memory = false;
+  {
+    const RefuseMemory all(0);
+    require_refused("insert", HG_ERR_MEMORY, "memory", [&] { store.insert(1000, many.data(), many.data()); });
+    require_refused("remove", HG_ERR_MEMORY, "memory", [&] { store.remove(1, &id); });
+  }
   require_model(store, model, 2);
   store.remove(1, &id);
   store.insert(1, x, r);
@@ -292,16 +275,12 @@ void check_refused_memory(uint64_t) {
   require_model(store, {{2, {{3, 4, 0}, 6}}, {3, {{1, 2, 0}, 5}}}, 2);
 }
 
-void refused_memory(void **) {
-  const bool ok = holds(0, check_refused_memory);
-  refuse_memory = false;
-  assert_true(ok);
-}
+void refused_memory(void **) { assert_true(holds(0, check_refused_memory)); }
 
 void too_many(void **) {
   const bool ok = holds(0, [](uint64_t) {
     Memory memory(hg::system_allocator());
-    ParticleStore store(memory, open_space(2), Interaction{}, 1, kInfinity);
+    ParticleStore store = make_store(memory, open_space(2), {}, 1);
     const double x[2] = {0, 0}, r = 0;
     const size_t most = static_cast<size_t>(std::numeric_limits<int32_t>::max());
     require_refused("ids", HG_ERR_LIMIT, "ids would pass", [&] { store.insert(most + 1, x, &r); });

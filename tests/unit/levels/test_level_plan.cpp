@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The choice of levels: against Appendix A written literally, against reference values, and at the ends of doubles.
 #include "src/levels/level_plan.hpp"
+#include "src/levels/occupancy_cost.hpp"
 #include "tests/unit/checks.hpp"
-#include "tests/unit/literal_levels.hpp"
+#include "tests/unit/levels/literal_levels.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace {
@@ -20,17 +20,16 @@ using hg::LevelRequest;
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-LevelPlan plan_of(const std::vector<double> &radii, const LevelRequest &request) {
+LevelPlan plan_of(const std::vector<double> &radii, const LevelRequest &request, double overhead) {
   hg::Memory memory(hg::system_allocator());
   hg::SizeClasses classes(memory);
   classes.sort_radii(radii.data(), radii.size());
-  return hg::plan_levels(classes, request);
+  return hg::plan_levels(classes, request, hg::OccupancyCost(overhead));
 }
 
-LevelRequest cube(double edge, double overhead) {
+LevelRequest cube(double edge) {
   LevelRequest request;
-  request.edge = edge;
-  request.cell_overhead = overhead;
+  request.volume.edge = edge;
   return request;
 }
 
@@ -69,13 +68,14 @@ std::vector<double> any_radii(Rng &rng) {
 void check_literal(uint64_t seed) {
   Rng rng(seed);
   std::vector<double> radii = any_radii(rng);
-  LevelRequest request = cube(std::pow(10, rng.uniform(-1, 2)), rng.uniform(0, 3));
-  request.dimension = rng.integer(2, 3);
-  const LevelPlan plan = plan_of(radii, request);
+  LevelRequest request = cube(std::pow(10, rng.uniform(-1, 2)));
+  request.volume.dimension = rng.integer(2, 3);
+  const double overhead = rng.uniform(0, 3);
+  const LevelPlan plan = plan_of(radii, request, overhead);
   require_sound(plan, radii);
 
   std::sort(radii.begin(), radii.end());
-  const std::vector<LiteralCost> expected = literal_costs(radii, {request.edge, request.dimension}, 16);
+  const std::vector<LiteralCost> expected = literal_costs(radii, {request.volume.dimension, request.volume.edge}, 16);
   require(plan.cost_count >= 16, "only %d numbers of levels were looked at", plan.cost_count);
   double best = HUGE_VAL;
   size_t best_count = 0;
@@ -90,7 +90,7 @@ void check_literal(uint64_t seed) {
     }
     require(std::fabs(cost.occupancy - e.occupancy) <= 1e-14 * e.occupancy, "L = %zu: m = %.17g instead of %.17g", L,
             cost.occupancy, e.occupancy);
-    const double f = static_cast<double>(L) * (e.occupancy + request.cell_overhead);
+    const double f = static_cast<double>(L) * (e.occupancy + overhead);
     require(std::fabs(cost.cost - f) <= 1e-14 * f, "L = %zu: cost %.17g instead of %.17g", L, cost.cost, f);
     if (cost.cost < best) {
       best = cost.cost;
@@ -128,9 +128,9 @@ double edge_filled(const std::vector<double> &radii, double fraction) {
 
 void check_uniform_volume_50(uint64_t) {
   const std::vector<double> radii = uniform_volume(50, 125001);
-  LevelRequest request = cube(edge_filled(radii, 0.62), 0.3);
-  require(std::fabs(request.edge - 435.847842) < 1e-6, "S = %.9g", request.edge);
-  const LevelPlan plan = plan_of(radii, request);
+  const LevelRequest request = cube(edge_filled(radii, 0.62));
+  require(std::fabs(request.volume.edge - 435.847842) < 1e-6, "S = %.9g", request.volume.edge);
+  const LevelPlan plan = plan_of(radii, request, 0.3);
   require_sound(plan, radii);
   static constexpr double occupancy[10] = {1487.405412, 13.286065, 2.745570, 1.205023, 0.713949,
                                            0.488022,    0.367057,  0.291491, 0.239180, 0.203122};
@@ -156,7 +156,7 @@ void check_overheads(uint64_t) {
     int levels;
   } expected[] = {{0.2, 8}, {0.25, 7}, {0.35, 7}, {0.4, 6}, {0.45, 6}};
   for (const auto &e : expected) {
-    const int levels = plan_of(radii, cube(edge, e.overhead)).level_count;
+    const int levels = plan_of(radii, cube(edge), e.overhead).level_count;
     require(levels == e.levels, "K = %g: %d levels instead of %d", e.overhead, levels, e.levels);
   }
 }
@@ -164,7 +164,7 @@ void check_overheads(uint64_t) {
 void check_two_sizes(uint64_t) {
   std::vector<double> radii(124876, 1.0);
   radii.resize(125001, 10.0);
-  const LevelPlan plan = plan_of(radii, cube(119.071316, 0.3));
+  const LevelPlan plan = plan_of(radii, cube(119.071316), 0.3);
   require(plan.level_count == 2, "%d levels", plan.level_count);
   require(plan.levels[0].particles == 124876 && plan.levels[0].cell_size == 2, "the small ones");
   require(plan.levels[1].particles == 125 && plan.levels[1].cell_size == 20, "the large ones");
@@ -173,16 +173,16 @@ void check_two_sizes(uint64_t) {
   require(std::fabs(plan.costs[1].cost - 1.785) < 1e-3, "f(2) = %.9g", plan.costs[1].cost);
   for (int L = 3; L <= plan.cost_count; L++) require(plan.costs[L - 1].reachable == 0, "L = %d is reachable", L);
 
-  LevelRequest five = cube(119.071316, 0.3);
+  LevelRequest five = cube(119.071316);
   five.level_count = 5;
-  require(plan_of(radii, five).level_count == 2, "five levels of two sizes");
+  require(plan_of(radii, five, 0.3).level_count == 2, "five levels of two sizes");
   five.level_count = 1;
-  require(plan_of(radii, five).levels[0].cell_size == 20, "one level of two sizes");
+  require(plan_of(radii, five, 0.3).levels[0].cell_size == 20, "one level of two sizes");
 }
 
 void check_one_size(uint64_t) {
   const std::vector<double> radii(1000, 1.0);
-  const LevelPlan plan = plan_of(radii, cube(edge_filled(radii, 0.62), 0.3));
+  const LevelPlan plan = plan_of(radii, cube(edge_filled(radii, 0.62)), 0.3);
   require(plan.level_count == 1, "%d levels", plan.level_count);
   require(std::fabs(plan.costs[0].occupancy - 6 * 0.62 / kPi) < 1e-12, "m = %.17g", plan.costs[0].occupancy);
 }
@@ -195,13 +195,13 @@ void one_size(void **) { assert_true(holds(0, check_one_size)); }
 // Cells hold what two particles can reach: margin and ranges included.
 void check_interactions(uint64_t) {
   const std::vector<double> radii = {1, 1, 4};
-  LevelRequest request = cube(20, 0.3);
+  LevelRequest request = cube(20);
   request.level_count = 2;
   request.interaction = {HG_CONTACT, 0.5};
-  LevelPlan plan = plan_of(radii, request);
+  LevelPlan plan = plan_of(radii, request, 0.3);
   require(plan.levels[0].cell_size == 2.5 && plan.levels[1].cell_size == 8.5, "contact with a margin");
   request.interaction = {HG_MAX_RANGE, 0.5};
-  plan = plan_of(radii, request);
+  plan = plan_of(radii, request, 0.3);
   require(plan.levels[0].cell_size == 1.5 && plan.levels[1].cell_size == 4.5, "ranges with a margin");
 }
 
@@ -210,10 +210,10 @@ void check_precision(uint64_t seed) {
   Rng rng(seed);
   std::vector<double> radii(2000);
   for (double &r : radii) r = 1 / std::sqrt(1 - rng.uniform() * (1 - 1e-4));
-  LevelRequest request = cube(edge_filled(radii, 0.6), 0.3);
-  const LevelPlan exact = plan_of(radii, request);
+  LevelRequest request = cube(edge_filled(radii, 0.6));
+  const LevelPlan exact = plan_of(radii, request, 0.3);
   request.precision = 1e-3;
-  const LevelPlan rounded = plan_of(radii, request);
+  const LevelPlan rounded = plan_of(radii, request, 0.3);
   require_sound(rounded, radii);
   for (int L = 1; L <= 16; L++) {
     if (exact.costs[L - 1].reachable == 0 || rounded.costs[L - 1].reachable == 0) continue;
@@ -234,9 +234,9 @@ void check_extremes(uint64_t seed) {
     for (double overhead : overheads) {
       std::vector<double> radii(1 + rng.below(40));
       for (double &r : radii) r = rng.chance(0.2) ? 0 : std::ldexp(1 + rng.uniform(), rng.integer(-1074, 1022));
-      LevelRequest request = cube(edge, overhead);
-      request.dimension = rng.integer(2, 3);
-      const LevelPlan plan = plan_of(radii, request);
+      LevelRequest request = cube(edge);
+      request.volume.dimension = rng.integer(2, 3);
+      const LevelPlan plan = plan_of(radii, request, overhead);
       require_sound(plan, radii);
       for (int k = 0; k < plan.cost_count; k++) {
         require(!std::isnan(plan.costs[k].cost) && plan.costs[k].occupancy >= 0, "S = %g: cost %g", edge,
@@ -251,12 +251,12 @@ void extremes(void **) { assert_true(sweep(15, check_extremes)); }
 void check_many_sizes(uint64_t) {
   std::vector<double> radii;
   for (int k = 0; k < 300; k++) radii.push_back(std::ldexp(1.0, k));
-  LevelRequest request = cube(0x1p301, 0);
-  const LevelPlan free = plan_of(radii, request);
+  LevelRequest request = cube(0x1p301);
+  const LevelPlan free = plan_of(radii, request, 0);
   require_sound(free, radii);
   require(free.cost_count == HG_MAX_LEVELS, "%d numbers of levels were looked at", free.cost_count);
   request.level_count = 10;
-  const LevelPlan ten = plan_of(radii, request);
+  const LevelPlan ten = plan_of(radii, request, 0);
   require_sound(ten, radii);
   require(ten.level_count <= 10 && ten.cost_count == 10, "%d levels", ten.level_count);
 }
@@ -264,19 +264,32 @@ void check_many_sizes(uint64_t) {
 void many_sizes(void **) { assert_true(holds(0, check_many_sizes)); }
 
 void check_occupancy(uint64_t) {
-  LevelRequest request = cube(10, 0);
-  require(hg::occupancy(1000, 2, request) == 1000 * (0.2 * 0.2 * 0.2), "3D");
-  request.dimension = 2;
-  require(hg::occupancy(1000, 2, request) == 1000 * (0.2 * 0.2), "2D");
-  request.edge = 0;
-  require(hg::occupancy(7, 2, request) == 7, "no volume: all in one cell");
-  require(hg::occupancy(7, 0, request) == 0, "no volume, no cells");
-  request.edge = 1e-200;
-  require(hg::occupancy(7, 1, request) == kLargest, "overflow");
-  require(hg::occupancy(0, 1, request) == 0, "no particles: %g", hg::occupancy(0, 1, request));
+  hg::FilledVolume volume{3, 10};
+  require(hg::occupancy(1000, 2, volume) == 1000 * (0.2 * 0.2 * 0.2), "3D");
+  volume.dimension = 2;
+  require(hg::occupancy(1000, 2, volume) == 1000 * (0.2 * 0.2), "2D");
+  volume.edge = 0;
+  require(hg::occupancy(7, 2, volume) == 7, "no volume: all in one cell");
+  require(hg::occupancy(7, 0, volume) == 0, "no volume, no cells");
+  volume.edge = 1e-200;
+  require(hg::occupancy(7, 1, volume) == kLargest, "overflow");
+  require(hg::occupancy(0, 1, volume) == 0, "no particles: %g", hg::occupancy(0, 1, volume));
+}
+
+// V = S^d, even where the product of the widths overflows.
+void check_filled_volume(uint64_t) {
+  hg::Bounds bounds;
+  const double widths[3] = {8, 1, 27};
+  std::copy(widths, widths + 3, bounds.width);
+  const hg::FilledVolume box = hg::FilledVolume::of(bounds, 3), plane = hg::FilledVolume::of(bounds, 2);
+  require(box.dimension == 3 && std::fabs(box.edge / 6 - 1) < 1e-14, "S = %.17g", box.edge);
+  require(plane.dimension == 2 && std::fabs(plane.edge / std::sqrt(8) - 1) < 1e-14, "S = %.17g", plane.edge);
+  for (double &width : bounds.width) width = 1e300;
+  require(std::fabs(hg::FilledVolume::of(bounds, 3).edge / 1e300 - 1) < 1e-12, "S of a wide box");
 }
 
 void occupancies(void **) { assert_true(holds(0, check_occupancy)); }
+void filled_volumes(void **) { assert_true(holds(0, check_filled_volume)); }
 
 // The limit of a level is the largest radius whose diameter still fits, to the last bit.
 void check_user_levels(uint64_t seed) {
@@ -309,7 +322,7 @@ void user_limits(void **) { assert_true(sweep(300, check_user_levels)); }
 
 void no_particles(void **) {
   int levels = -1;
-  const bool ok = holds(0, [&](uint64_t) { levels = plan_of({}, cube(1, 0.3)).level_count; });
+  const bool ok = holds(0, [&](uint64_t) { levels = plan_of({}, cube(1), 0.3).level_count; });
   assert_true(ok);
   assert_int_equal(levels, 0);
 }
@@ -321,7 +334,8 @@ int main() {
       cmocka_unit_test(literal_appendix_a), cmocka_unit_test(uniform_volume_50), cmocka_unit_test(overheads),
       cmocka_unit_test(two_sizes),          cmocka_unit_test(one_size),          cmocka_unit_test(interactions),
       cmocka_unit_test(precision),          cmocka_unit_test(extremes),          cmocka_unit_test(many_sizes),
-      cmocka_unit_test(occupancies),        cmocka_unit_test(user_limits),       cmocka_unit_test(no_particles),
+      cmocka_unit_test(occupancies),        cmocka_unit_test(filled_volumes),    cmocka_unit_test(user_limits),
+      cmocka_unit_test(no_particles),
   };
   return cmocka_run_group_tests_name("level_plan", tests, nullptr, nullptr);
 }

@@ -4,8 +4,8 @@
 #include "src/pairs/pair_list.hpp"
 #include "src/pairs/pair_visit.hpp"
 #include "src/search/pair_search.hpp"
-#include "tests/unit/checks.hpp"
 #include "tests/unit/crowd.hpp"
+#include "tests/unit/same_pairs.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -16,49 +16,21 @@ namespace {
 using namespace hgtest;
 using hg::PairList;
 
-// A list with workers of its own, of the pairs of a crowd.
+hg::PairSearch search_of(const Crowd &crowd) { return {crowd.index, crowd.tasks, crowd.store, crowd.overlap}; }
+
+// A list with a pool of its own, of the pairs of a crowd.
 struct List {
-  List(hg::Memory &memory, int threads) : workers(memory, threads), pairs(memory) {}
-  hg::SearchCounts search(const Crowd &crowd) {
-    return pairs.gather(hg::PairSearch(crowd.index, crowd.store, crowd.overlap), workers, crowd.store.slots());
-  }
+  List(hg::Memory &memory, int threads) : pool(memory, threads), pairs(memory) {}
+  hg::SearchCounts search(const Crowd &crowd) { return pairs.gather(search_of(crowd), pool, crowd.store.slots()); }
   const hg_pair *data() const { return pairs.data(); }
   size_t count() const { return pairs.count(); }
 
-  hg::PairPool workers;
+  hg::PairPool pool;
   PairList pairs;
 };
 
 bool same(const hg_pair *p, const hg_pair *q, size_t count) {
   return count == 0 || std::memcmp(p, q, count * sizeof *p) == 0;
-}
-
-CrowdShape any_shape(Rng &rng, size_t count) {
-  CrowdShape shape;
-  shape.dimension = rng.integer(2, 3);
-  shape.periodic = rng.chance(0.5);
-  shape.outlier = !shape.periodic && rng.chance(0.3);
-  shape.count = count;
-  return shape;
-}
-
-// Each pair of particles in the plain way, on the caller's doubles.
-std::vector<hg_pair> all_pairs(const Crowd &crowd) {
-  std::vector<hg_pair> pairs;
-  int64_t exact = 0;
-  const hg::Domain &domain = crowd.index.domain;
-  for (uint32_t i = 0; i < crowd.store.slots(); i++) {
-    for (uint32_t j = i + 1; j < crowd.store.slots(); j++) {
-      bool found = false;
-      for (hg::Image image = 0; image < 27; image++) {
-        if (image != hg::kNoImage && !domain.any_periodic) continue;
-        if (domain.dimension == 2 && hg::image_step(image, 2) != 0) continue;
-        found = found || crowd.overlap.holds(crowd.store.ball(i), crowd.store.ball(j), image, exact);
-      }
-      if (found) pairs.push_back({static_cast<int32_t>(i), static_cast<int32_t>(j)});
-    }
-  }
-  return pairs;
 }
 
 void check_all_pairs(uint64_t seed) {
@@ -67,12 +39,7 @@ void check_all_pairs(uint64_t seed) {
   const Crowd crowd(seed, memory, any_shape(rng, rng.below(250)));
   List list(memory, 1);
   list.search(crowd);
-  std::vector<hg_pair> found(list.data(), list.data() + list.count());
-  std::sort(found.begin(), found.end(),
-            [](const hg_pair &p, const hg_pair &q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
-  const std::vector<hg_pair> expected = all_pairs(crowd);
-  require(found.size() == expected.size() && same(found.data(), expected.data(), found.size()),
-          "%zu pairs instead of %zu, or others", found.size(), expected.size());
+  require_pairs("a crowd", sorted(list.data(), list.count()), crowd.pairs());
 }
 
 void check_threads(uint64_t seed) {
@@ -114,7 +81,7 @@ void check_visit(uint64_t seed) {
   List list(memory, 1);
   list.search(crowd);
 
-  const hg::PairSearch source(crowd.index, crowd.store, crowd.overlap);
+  const hg::PairSearch source = search_of(crowd);
   Visited search, stored, stopped;
   const hg::VisitResult result = hg::visit_source(source, crowd.store, memory, note, &search);
   hg::visit_list(list.data(), list.count(), note, &stored);
@@ -136,7 +103,7 @@ void check_visit(uint64_t seed) {
 // Where ids have gaps, pairs come as slots and are named afterwards.
 void check_ids(uint64_t) {
   hg::Memory memory(hg::system_allocator());
-  hg::ParticleStore store(memory, hg::Domain{}, hg::Interaction{}, 1, HUGE_VAL);
+  hg::ParticleStore store = make_store(memory, open_space(3), {}, 1);
   const double x[12] = {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3}, r[4] = {1, 1, 1, 1};
   const int32_t second = 2;
   hg_pair pairs[2] = {{1, 2}, {2, 3}};

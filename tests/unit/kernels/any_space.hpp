@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Spaces of any size and place with their map to quanta, and centres in them.
+#pragma once
+
+#include "src/space/fixed_point.hpp"
+#include "tests/support/rng.hpp"
+#include "tests/unit/domains.hpp"
+
+#include <cmath>
+
+namespace hgtest {
+
+class Space {
+ public:
+  // Ordinary lengths mostly, else from subnormal numbers to near the greatest; at the origin, or far from it at a power
+  // of two, where numbers below the space are finer than those in it.
+  explicit Space(Rng &rng) : domain(open_space(rng.integer(2, 3))) {
+    const double unit = std::ldexp(1.0, rng.chance(0.7) ? rng.integer(-30, 30) : rng.integer(-1074, 990));
+    const double far = rng.chance(0.5) ? 0 : std::ldexp(rng.chance(0.5) ? unit : -unit, rng.integer(0, 30));
+    hg::Bounds bounds;
+    for (int axis = 0; axis < domain.dimension; axis++) {
+      const double low = far, high = far + unit * (rng.chance(0.2) ? 1 : rng.uniform(1, 2));
+      set_box(domain, axis, low, high, high > low && rng.chance(0.4));
+      bounds.min[axis] = domain.periodic[axis] ? 0 : low;
+      bounds.max[axis] = domain.periodic[axis] ? domain.length[axis] : high;
+    }
+    map = hg::FixedPoint::over(bounds, domain, unit * rng.uniform());
+  }
+
+  // In the box; on periodic axes also up to 2^20 box lengths away. On a face now and then.
+  double any_center(Rng &rng, int axis) const {
+    const double low = domain.box_min[axis], high = domain.box_max[axis];
+    const double x = rng.chance(0.1) ? (rng.chance(0.5) ? low : high) : low + rng.uniform() * domain.length[axis];
+    if (!domain.periodic[axis] || rng.chance(0.5)) return std::fmin(x, high);
+    return x + (rng.chance(0.5) ? rng.integer(-2, 2) : rng.integer(-1048500, 1048500)) * domain.length[axis];
+  }
+
+  hg::Domain domain;
+  hg::FixedPoint map;
+};
+
+}  // namespace hgtest

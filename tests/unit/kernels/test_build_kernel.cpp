@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The build kernels of every instruction set that this machine runs: each particle is counted in the row of its level
+// and goes there, in the order of its slot, at its place in quanta. Parts of the particles, full blocks or not.
+#include "src/space/level_cells.hpp"
+#include "tests/unit/checks.hpp"
+#include "tests/unit/exact_place.hpp"
+#include "tests/unit/kernels/any_space.hpp"
+#include "tests/unit/kernels/kernel_sets.hpp"
+#include "tests/unit/plain_cells.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace {
+
+using namespace hgtest;
+
+constexpr int32_t kGuard = -77;
+
+// What the two passes write, with a guard element behind each array.
+struct Built {
+  Built(size_t count, size_t rows)
+      : row_of(count + 1, static_cast<uint32_t>(kGuard)),
+        row_count(rows + 1, 0),
+        radius(count + 1, static_cast<float>(kGuard)),
+        slot(count + 1, static_cast<uint32_t>(kGuard)) {
+    for (auto &column : x) column.assign(count + 1, kGuard);
+  }
+  bool operator==(const Built &other) const {
+    return row_of == other.row_of && row_count == other.row_count && x[0] == other.x[0] && x[1] == other.x[1] &&
+           x[2] == other.x[2] && radius == other.radius && slot == other.slot;
+  }
+  bool guarded() const {
+    return row_of.back() == static_cast<uint32_t>(kGuard) && row_count.back() == 0 && x[0].back() == kGuard &&
+           x[1].back() == kGuard && x[2].back() == kGuard && radius.back() == static_cast<float>(kGuard) &&
+           slot.back() == static_cast<uint32_t>(kGuard);
+  }
+
+  std::vector<uint32_t> row_of, row_count;
+  std::vector<int32_t> x[3];
+  std::vector<float> radius;
+  std::vector<uint32_t> slot;
+};
+
+class Scene {
+ public:
+  Scene(uint64_t seed, size_t count) : rng_(seed), space_(rng_), count_(count) {
+    const double largest = std::ldexp(1 / space_.map.scale, rng_.integer(0, 28));
+    for (size_t i = 0; i < count; i++) {
+      for (int axis = 0; axis < dimension(); axis++) centers_.push_back(space_.any_center(rng_, axis));
+      radii_.push_back(rng_.chance(0.1) ? 0 : largest * std::pow(2, rng_.uniform(-20, 0)));
+    }
+    lay_levels(largest);
+    cut();
+    input_ = {centers_.data(),
+              radii_.data(),
+              space_.map,
+              rng_.chance(0.5) ? 0 : largest * rng_.uniform(),
+              static_cast<int>(levels_.size()),
+              levels_.data()};
+  }
+
+  void check() {
+    const Built plain = build(hg::kScalarKernels);
+    require(plain.guarded(), "scalar: wrote beyond the particles");
+    check_rows(plain);
+    check_points(plain);
+    for (const hg::KernelSet *set : kernel_sets()) {
+      require(build(*set) == plain, "%s: another result than the scalar kernels'", set->name);
+    }
+  }
+
+ private:
+  int dimension() const { return space_.domain.dimension; }
+  const double *center(size_t i) const { return centers_.data() + i * static_cast<size_t>(dimension()); }
+
+  // Limits that some radii meet exactly; levels without a table have one row.
+  void lay_levels(double largest) {
+    const int count = rng_.integer(1, 8);
+    for (int h = 0; h < count; h++) {
+      const double limit = h + 1 == count ? largest : largest * std::pow(2, -3.0 * (count - 1 - h));
+      if (h + 1 < count && count_ > 0) radii_[rng_.below(count_)] = limit;
+      hg::LevelRows level{limit, 0, 0.5f, 0, 0.5f, 1, rows_};
+      if (rng_.chance(0.8)) {
+        const hg::LevelCells laid =
+            hg::lay_cells(space_.map, dimension(), 2 * limit * space_.map.scale, 1 + rng_.below(5000));
+        const hg::CellTable &table = laid.table;
+        level = {limit,
+                 table.inverse_width[1],
+                 hg::last_of(table, 1),
+                 table.inverse_width[2],
+                 hg::last_of(table, 2),
+                 static_cast<uint32_t>(table.count[1]),
+                 rows_};
+        tables_.push_back(table);
+      } else {
+        tables_.push_back({{1, 1, 1}, {}, {}, 0, nullptr});
+      }
+      rows_ += static_cast<uint32_t>(tables_.back().count[1] * tables_.back().count[2]);
+      levels_.push_back(level);
+    }
+  }
+
+  // Where the particles are cut into parts that threads would share.
+  void cut() {
+    for (size_t at = 0; at < count_; at += 1 + rng_.below(200)) cuts_.push_back(at);
+    cuts_.push_back(count_);
+  }
+
+  Built build(const hg::KernelSet &set) const {
+    const hg::BuildKernel &kernel = set.build[dimension() - 2];
+    Built built(count_, rows_);
+    for (size_t part = 0; part + 1 < cuts_.size(); part++) {
+      kernel.find_rows(input_, cuts_[part], cuts_[part + 1], {built.row_of.data(), built.row_count.data()});
+    }
+    std::vector<uint32_t> next(rows_);
+    std::exclusive_scan(built.row_count.begin(), built.row_count.begin() + rows_, next.begin(), 0u);
+    for (size_t part = 0; part + 1 < cuts_.size(); part++) {
+      kernel.put_into_rows(input_, cuts_[part], cuts_[part + 1],
+                           {built.row_of.data(), next.data(), built.x[0].data(), built.x[1].data(), built.x[2].data(),
+                            built.radius.data(), built.slot.data()});
+    }
+    return built;
+  }
+
+  void check_rows(const Built &built) const {
+    std::vector<uint32_t> counted(rows_ + 1, 0);
+    for (size_t i = 0; i < count_; i++) {
+      require(built.row_of[i] < rows_, "particle %zu is in row %u of %u", i, built.row_of[i], rows_);
+      counted[built.row_of[i]]++;
+    }
+    require(built.row_count == counted, "rows are miscounted");
+  }
+
+  // The level that takes the radius, and there the row of the place.
+  uint32_t row_of(double radius, int32_t y, int32_t z) const {
+    size_t h = 0;
+    while (h + 1 < levels_.size() && radius > levels_[h].radius_limit) h++;
+    const hg::CellTable &table = tables_[h];
+    const size_t row = plain_cell(table, 2, z) * static_cast<size_t>(table.count[1]) + plain_cell(table, 1, y);
+    return levels_[h].row_base + static_cast<uint32_t>(row);
+  }
+
+  void check_points(const Built &built) const {
+    for (size_t at = 0; at < count_; at++) {
+      const size_t i = built.slot[at];
+      require(i < count_, "point %zu has slot %zu", at, i);
+      // Each slot once, as both row and slot ascend.
+      const bool after = at == 0 || built.row_of[i] > built.row_of[built.slot[at - 1]] ||
+                         (built.row_of[i] == built.row_of[built.slot[at - 1]] && i > built.slot[at - 1]);
+      require(after, "point %zu, slot %zu, is out of order", at, i);
+      for (int axis = 0; axis < dimension(); axis++) {
+        const int32_t x = built.x[axis][at];
+        require(x >= 0 && x < 1 << 30, "coordinate %d", x);
+        require_place(space_.map, space_.domain, axis, center(i)[axis], x);
+      }
+      require(dimension() == 3 || built.x[2][at] == kGuard, "z is written in 2D");
+      const uint32_t row = row_of(radii_[i], built.x[1][at], dimension() == 3 ? built.x[2][at] : 0);
+      require(built.row_of[i] == row, "slot %zu is in row %u instead of %u", i, built.row_of[i], row);
+      const mpq_class folded = (mpq_class(radii_[i]) + mpq_class(input_.extra_radius)) * mpq_class(space_.map.scale);
+      require(abs(mpq_class(static_cast<double>(built.radius[at])) - folded) <= folded * mpq_class(1, 1 << 23),
+              "radius %g instead of %g", static_cast<double>(built.radius[at]), folded.get_d());
+    }
+  }
+
+  Rng rng_;
+  Space space_;
+  size_t count_;
+  std::vector<double> centers_, radii_;
+  std::vector<hg::LevelRows> levels_;
+  std::vector<hg::CellTable> tables_;
+  uint32_t rows_ = 0;
+  std::vector<size_t> cuts_;
+  hg::BuildInput input_{};
+};
+
+// All numbers of particles around one block, and more.
+void around_a_block(void **) {
+  assert_true(sweep(140, [](uint64_t seed) { Scene(seed, seed).check(); }));
+}
+void any_number(void **) {
+  assert_true(sweep(150, [](uint64_t seed) { Scene(seed, Rng(seed).below(1500)).check(); }));
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {cmocka_unit_test(around_a_block), cmocka_unit_test(any_number)};
+  return cmocka_run_group_tests_name("build_kernel", tests, nullptr, nullptr);
+}

@@ -1,0 +1,350 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Stored candidates against the oracle: what is collected, what of it interacts after any motion within the skin,
+// through faces of the box too, when a particle has gone too far, and when candidates are too many.
+#include "src/search/candidate_filter.hpp"
+#include "src/search/skin.hpp"
+#include "src/search/stored_candidates.hpp"
+#include "tests/unit/crowd.hpp"
+#include "tests/unit/same_pairs.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace {
+
+using namespace hgtest;
+using hg::Image;
+
+Sphere particle(const Crowd &crowd, size_t i) { return {crowd.particles.center(i), crowd.particles.radii[i]}; }
+
+// A crowd with its candidates.
+struct Stored {
+  Stored(uint64_t seed, const CrowdShape &shape, int threads = 1)
+      : memory(hg::system_allocator()),
+        crowd(seed, memory, shape),
+        pool(memory, threads),
+        candidates(memory, threads) {}
+
+  bool collect() {
+    hg::SearchCounts counts;
+    return candidates.collect(crowd.index, crowd.tasks, crowd.store, crowd.overlap.interaction(), pool, counts);
+  }
+  // The interacting ones, in their order.
+  Pairs filtered() {
+    hg::PairList list(memory);
+    const hg::SearchCounts counts =
+        list.gather(hg::CandidateFilter(candidates, crowd.store, crowd.overlap), pool, crowd.store.slots());
+    require(counts.candidates == static_cast<int64_t>(candidates.count()), "%lld candidates were filtered",
+            static_cast<long long>(counts.candidates));
+    return Pairs(list.data(), list.data() + list.count());
+  }
+  // The same, asked for one by one.
+  Pairs decided() const {
+    Pairs pairs;
+    int64_t exact = 0;
+    for (size_t k = 0; k < candidates.count(); k++) {
+      const auto a = static_cast<uint32_t>(candidates.pairs()[k].a), b = static_cast<uint32_t>(candidates.pairs()[k].b);
+      if (candidates.interact(a, b, crowd.store, crowd.overlap, exact))
+        pairs.push_back(slots_of(candidates.pairs()[k]));
+    }
+    return pairs;
+  }
+  // A pair of points as a pair of particles.
+  hg_pair slots_of(const hg_pair &pair) const {
+    const auto a = static_cast<int32_t>(candidates.slots()[pair.a]),
+               b = static_cast<int32_t>(candidates.slots()[pair.b]);
+    return {std::min(a, b), std::max(a, b)};
+  }
+
+  hg::Memory memory;
+  Crowd crowd;
+  hg::PairPool pool;
+  hg::StoredCandidates candidates;
+};
+
+CrowdShape skinned_shape(Rng &rng, size_t count) {
+  CrowdShape shape = any_shape(rng, count);
+  static constexpr double kSkins[] = {0.01, 0.5, 4};
+  shape.skin = kSkins[rng.below(3)];
+  shape.interaction = {rng.chance(0.5) ? HG_CONTACT : HG_MAX_RANGE, rng.chance(0.5) ? 0.0 : 1.0};
+  return shape;
+}
+
+class Run {
+ public:
+  explicit Run(uint64_t seed)
+      : rng_(seed),
+        shape_(skinned_shape(rng_, 1 + rng_.below(150))),
+        stored_(seed, shape_),
+        crowd_(stored_.crowd),
+        candidates_(stored_.candidates),
+        start_(crowd_.particles) {
+    // Beside an outlier the skin is but a few quanta.
+    half_ = 0.5 * shape_.skin * (1 - 0x1p-19) - 20 / crowd_.index.map.scale;
+  }
+
+  void check() {
+    require(stored_.collect() && candidates_.kept() && !candidates_.moved(), "nothing was kept");
+    check_points();
+    check_collected();
+    check_interacting();
+    for (int step = 0; step < 4 && half_ > 0; step++) {
+      const bool with_radii = step >= 2;  // from the third step on, radii are not what they were
+      move(with_radii);
+      require(candidates_.update(crowd_.store, with_radii), "step %d: motion within the skin is refused", step);
+      require(candidates_.kept() && candidates_.moved(), "not moved");
+      check_interacting();
+    }
+    check_too_far();
+  }
+
+ private:
+  // Where the index has the particles, with radii for the true reach; then its images.
+  void check_points() {
+    const hg::Index &index = crowd_.index;
+    const hg::Interaction &interaction = crowd_.overlap.interaction();
+    const double share = interaction.kind == HG_CONTACT ? 0.5 * interaction.margin : interaction.margin;
+    const size_t count = crowd_.store.slots();
+    for (size_t p = 0; p < count + index.image_count(); p++) {
+      const hg::PointStore &from = p < count ? index.particles : index.images;
+      const size_t at = p < count ? p : p - count;
+      const hg::Point &point = candidates_.points()[p];
+      require(candidates_.slots()[p] == from.slot[at], "point %zu is of another particle", p);
+      require(point.x == from.x[at] && point.y == from.y[at], "point %zu is elsewhere", p);
+      require(point.z == (index.domain.dimension == 3 ? from.z[at] : 0), "point %zu is elsewhere in z", p);
+      const double radius = (crowd_.store.radius(from.slot[at]) + share) * index.map.scale;
+      require(std::fabs(static_cast<double>(point.radius) - radius) <= 0x1p-23 * radius, "radius of point %zu", p);
+    }
+  }
+
+  // All pairs nearer than the reach with the skin, none twice, and none much farther.
+  void check_collected() {
+    hg_grid_def wide = crowd_.rule();
+    wide.margin = crowd_.index.interaction.margin;
+    Pairs found;
+    for (size_t k = 0; k < candidates_.count(); k++) {
+      const hg_pair pair = stored_.slots_of(candidates_.pairs()[k]);
+      const Sphere a = particle(crowd_, static_cast<size_t>(pair.a)), b = particle(crowd_, static_cast<size_t>(pair.b));
+      const double reach = crowd_.index.interaction.reach(a.radius, b.radius) * crowd_.index.map.scale;
+      require(relative_gap(wide, a, b) * reach < 64 + 1e-5 * reach, "candidate %zu is far beyond the skin", k);
+      found.push_back(pair);
+    }
+    found = sorted(found.data(), found.size());
+    require(std::adjacent_find(found.begin(), found.end(), pair_equal) == found.end(), "a candidate came twice");
+    const Pairs expected = all_pairs(wide, crowd_.particles, exact_interact);
+    require(std::includes(found.begin(), found.end(), expected.begin(), expected.end(), pair_less),
+            "of %zu pairs within the skin some are missing", expected.size());
+  }
+
+  void check_interacting() {
+    const Pairs found = stored_.filtered();
+    require_pairs("filtered", sorted(found.data(), found.size()), crowd_.pairs());
+    require_pairs("one by one", stored_.decided(), found);
+    for (int n = 0; n < 10; n++) check_sphere();
+  }
+
+  // A ball anywhere meets each particle through some image or not at all.
+  void check_sphere() {
+    double center[3];
+    for (double &x : center) x = Crowd::kEdge * rng_.uniform(-2, 3);
+    const Sphere sphere{center, 40 * rng_.uniform() * rng_.uniform()};
+    for (size_t p = 0; p < crowd_.store.slots(); p++) {
+      const size_t slot = candidates_.slots()[p];
+      bool met = false;
+      for (Image image = 0; image < hg::kImages; image++) {
+        if (!is_possible(image)) continue;
+        Image seen = image;
+        int64_t exact = 0;
+        met = met || (candidates_.see(p, seen, crowd_.store) &&
+                      crowd_.overlap.holds({center, sphere.radius}, crowd_.store.ball(slot), seen, exact));
+      }
+      require(met == exact_interact(crowd_.rule(), sphere, particle(crowd_, slot)), "a sphere meets slot %zu: %d", slot,
+              met);
+    }
+  }
+  bool is_possible(Image image) const {
+    for (int axis = 0; axis < 3; axis++) {
+      if (hg::image_step(image, axis) != 0 && !crowd_.index.domain.periodic[axis]) return false;
+    }
+    return true;
+  }
+
+  // Each particle to within half the skin from its start, its growth taken in; some boxes away where there are periods.
+  void move(bool with_radii) {
+    // Radii as floats are off by 2^-21 of themselves, which counts as growth.
+    const double half = with_radii ? half_ - 0x1p-20 * Crowd::kEdge : half_, share = rng_.uniform();
+    for (size_t i = 0; i < start_.count(); i++) {
+      const double growth = with_radii ? half * rng_.uniform(-1, 1) * share : 0;
+      put(i, half - std::max(0.0, growth));
+      crowd_.particles.radii[i] = std::max(0.0, start_.radii[i] + growth);
+    }
+    crowd_.move();
+  }
+
+  // So far from its start: along an axis, as far as is allowed, or anywhere within.
+  void put(size_t i, double most) {
+    const auto dimension = static_cast<size_t>(shape_.dimension);
+    const size_t only = rng_.below(dimension);
+    const bool along_axis = rng_.chance(0.3);
+    for (size_t axis = 0; axis < dimension; axis++) {
+      double step = most * rng_.uniform(-1, 1) / std::sqrt(3);
+      if (along_axis) step = axis != only ? 0 : (rng_.chance(0.5) ? most : -most);
+      if (shape_.periodic) step += rng_.integer(-3, 3) * Crowd::kEdge;
+      crowd_.particles.centers[i * dimension + axis] = start_.centers[i * dimension + axis] + step;
+    }
+  }
+
+  // One particle has moved or grown by half the skin and a little more.
+  void check_too_far() {
+    const bool by_growth = rng_.chance(0.5);
+    const double more = 0.5 * shape_.skin + 20 / crowd_.index.map.scale;
+    const size_t who = rng_.below(start_.count());
+    crowd_.particles = start_;
+    if (by_growth) {
+      crowd_.particles.radii[who] += more;
+    } else {
+      crowd_.particles.centers[who * static_cast<size_t>(shape_.dimension)] += more;
+    }
+    crowd_.move();
+    require(!candidates_.update(crowd_.store, true), "motion beyond the skin is allowed");
+    require(!candidates_.kept() && !candidates_.moved() && candidates_.count() == 0, "candidates of no use are kept");
+    crowd_.particles = start_;
+    crowd_.move();
+    require(!candidates_.update(crowd_.store, true), "candidates that were given up came back");
+    require(stored_.collect() && candidates_.kept(), "not collected anew");
+    candidates_.drop();
+    require(!candidates_.kept() && candidates_.count() == 0, "dropped candidates are kept");
+  }
+
+  Rng rng_;
+  CrowdShape shape_;
+  Stored stored_;
+  Crowd &crowd_;
+  hg::StoredCandidates &candidates_;
+  Particles start_;
+  double half_;  // that a particle may surely move
+};
+
+void any_motion(void **) {
+  assert_true(sweep(150, [](uint64_t seed) { Run(seed).check(); }));
+}
+
+// A particle that has left through some faces sees images as from the box that it is in now.
+void check_leaving(uint64_t seed) {
+  Rng rng(seed);
+  CrowdShape shape;
+  shape.dimension = rng.integer(2, 3);
+  shape.periodic = true;
+  shape.count = 1 + rng.below(20);
+  shape.skin = 4;
+  Stored stored(seed, shape);
+  const auto dimension = static_cast<size_t>(shape.dimension);
+  const size_t who = rng.below(shape.count);
+  double *center = &stored.crowd.particles.centers[who * dimension];
+  int boxes[3] = {0, 0, 0};
+  for (size_t axis = 0; axis < dimension; axis++) {
+    boxes[axis] = rng.integer(-1, 1);
+    center[axis] = boxes[axis] == 0 ? 50 : (boxes[axis] > 0 ? Crowd::kEdge - 0.5 : 0.5);
+  }
+  stored.crowd.move();
+  stored.crowd.build(1);
+  require(stored.collect(), "nothing was kept");
+  for (size_t axis = 0; axis < dimension; axis++) {
+    center[axis] += boxes[axis] + rng.integer(-2, 2) * Crowd::kEdge;  // the caller's box is of no matter
+  }
+  stored.crowd.move();
+  require(stored.candidates.update(stored.crowd.store, false), "motion within the skin is refused");
+  size_t p = 0;
+  while (stored.candidates.slots()[p] != who) p++;
+  for (Image image = 0; image < hg::kImages; image++) {
+    Image seen = image;
+    const bool sees = stored.candidates.see(p, seen, stored.crowd.store);
+    bool near = true;
+    for (int axis = 0; axis < 3; axis++) near = near && std::abs(hg::image_step(image, axis) - boxes[axis]) <= 1;
+    require(sees == near, "image %d is seen: %d", image, sees);
+    for (int axis = 0; sees && axis < 3; axis++) {
+      const int expected = hg::image_step(image, axis) - boxes[axis];
+      require(hg::image_step(seen, axis) == expected, "axis %d: image %d instead of %d", axis,
+              hg::image_step(seen, axis), expected);
+    }
+  }
+}
+
+void leaving_the_box(void **) { assert_true(sweep(100, check_leaving)); }
+
+// In heaps of coincident particles all are candidates of each other.
+void make_heaps(Crowd &crowd, size_t heap, int threads) {
+  for (size_t i = 0; i < crowd.particles.count(); i++) {
+    const size_t place = 1 + 2 * (i / heap);
+    for (size_t axis = 0; axis < 3; axis++) {
+      crowd.particles.centers[3 * i + axis] = axis == 0 ? place : 50;
+    }
+    crowd.particles.radii[i] = 0.25;
+  }
+  crowd.move();
+  crowd.build(threads);
+}
+
+// 256 for each particle are kept, not one more.
+void check_too_many(uint64_t) {
+  const size_t most = 2 * hg::kMostCandidatesPerParticle + 1;
+  for (const size_t count : {most, most + 1}) {
+    CrowdShape shape;
+    shape.count = count;
+    shape.skin = 0.5;
+    Stored stored(1, shape);
+    make_heaps(stored.crowd, count, 1);
+    require(stored.collect() == (count == most), "%zu particles in a heap: kept %d", count, stored.candidates.kept());
+    require(stored.candidates.count() == (count == most ? count * (count - 1) / 2 : 0), "%zu candidates",
+            stored.candidates.count());
+  }
+}
+
+// Threads share the work where there are many particles: the same candidates and points in the same order.
+void check_threads(uint64_t seed) {
+  Rng rng(seed);
+  CrowdShape shape = any_shape(rng, 21000);
+  shape.outlier = false;
+  shape.skin = 0.5;
+  Stored alone(seed, shape), together(seed, shape, 3);
+  require(alone.collect() && together.collect(), "nothing was kept");
+  for (int step = 0; step < 2; step++) {
+    const size_t count = alone.candidates.count(), points = alone.crowd.store.slots() + alone.crowd.index.image_count();
+    require(count > 40000 && together.candidates.count() == count, "%zu candidates instead of %zu",
+            together.candidates.count(), count);
+    require(std::memcmp(alone.candidates.pairs(), together.candidates.pairs(), count * sizeof(hg_pair)) == 0,
+            "other candidates, or another order");
+    require(std::memcmp(alone.candidates.points(), together.candidates.points(), points * sizeof(hg::Point)) == 0,
+            "other points");
+    require_pairs("alone", alone.filtered(), alone.decided());
+    require_pairs("together", together.filtered(), alone.decided());
+    for (Stored *stored : {&alone, &together}) {
+      for (double &x : stored->crowd.particles.centers) x += 0.05 * std::sin(1000 * x);
+      stored->crowd.move();
+      require(stored->candidates.update(stored->crowd.store, step == 1), "motion within the skin is refused");
+    }
+  }
+  // The last one has gone too far.
+  together.crowd.particles.centers.back() += 1;
+  together.crowd.move();
+  require(!together.candidates.update(together.crowd.store, false), "motion beyond the skin is allowed");
+
+  CrowdShape open;
+  open.count = 21000;
+  open.skin = 0.5;
+  Stored heaps(seed, open, 3);
+  make_heaps(heaps.crowd, 600, 3);
+  require(!heaps.collect() && !heaps.candidates.kept(), "too many candidates are kept");
+}
+
+void too_many(void **) { assert_true(holds(0, check_too_many)); }
+void threads(void **) { assert_true(sweep(2, check_threads)); }
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {cmocka_unit_test(any_motion), cmocka_unit_test(leaving_the_box),
+                              cmocka_unit_test(too_many), cmocka_unit_test(threads)};
+  return cmocka_run_group_tests_name("stored_candidates", tests, nullptr, nullptr);
+}
