@@ -3,7 +3,7 @@
 // Fuzzes the reader of scenes: any text is a scene that an engine takes and steps, or refused with a text.
 #include "dem/scene/scene.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "fuzz/expect.hpp"
 #include "fuzz/memory_file.hpp"
 

@@ -3,10 +3,10 @@
 // Makes the engine that a setup asks for.
 #include "dem/engine/engine.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "dem/engine/simulation.hpp"
-#include "dem/engine/space_order.hpp"
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/space_order.hpp"
+#include "dem/setup/time_step.hpp"
 
 #include <utility>
 

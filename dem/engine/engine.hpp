@@ -4,8 +4,8 @@
 // once: a call of the engine does whole steps.
 #pragma once
 
-#include "dem/engine/checkpoint.hpp"
-#include "dem/engine/setup.hpp"
+#include "dem/setup/setup.hpp"
+#include "dem/state/checkpoint.hpp"
 
 #include <hgrid/hgrid.h>
 

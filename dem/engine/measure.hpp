@@ -5,9 +5,9 @@
 // Looking is rare, so one function serves all effects and asks for them as it goes.
 #pragma once
 
-#include "dem/engine/boundary.hpp"
-#include "dem/engine/contact_search.hpp"
 #include "dem/engine/engine.hpp"
+#include "dem/state/boundary.hpp"
+#include "dem/state/contact_search.hpp"
 
 namespace dem {
 

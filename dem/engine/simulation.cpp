@@ -3,9 +3,9 @@
 // The engine of one dimension and precision: the order of work within a step.
 #include "dem/engine/simulation.hpp"
 
-#include "dem/engine/error.hpp"
-#include "dem/engine/parallel.hpp"
-#include "dem/engine/wall_reach.hpp"
+#include "dem/base/error.hpp"
+#include "dem/base/parallel.hpp"
+#include "dem/state/wall_reach.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,14 +3,14 @@
 // The engine of one dimension and precision: the order of work within a step.
 #pragma once
 
-#include "dem/engine/bodies.hpp"
-#include "dem/engine/boundary.hpp"
-#include "dem/engine/contact_memory.hpp"
-#include "dem/engine/contact_search.hpp"
 #include "dem/engine/engine.hpp"
-#include "dem/engine/motion_kernel.hpp"
-#include "dem/engine/pair_kernel.hpp"
-#include "dem/engine/wall_kernel.hpp"
+#include "dem/kernels/motion_kernel.hpp"
+#include "dem/kernels/pair_kernel.hpp"
+#include "dem/kernels/wall_kernel.hpp"
+#include "dem/state/bodies.hpp"
+#include "dem/state/boundary.hpp"
+#include "dem/state/contact_memory.hpp"
+#include "dem/state/contact_search.hpp"
 
 #include <cstdint>
 #include <vector>

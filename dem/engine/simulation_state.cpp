@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Looking at a simulation, saving and restoring it.
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "dem/engine/measure.hpp"
 #include "dem/engine/simulation.hpp"
-#include "dem/engine/wall_reach.hpp"
+#include "dem/state/wall_reach.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 // The files of a run.
 #include "dem/output/recorder.hpp"
 
-#include "dem/engine/checkpoint.hpp"
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "dem/output/xyz.hpp"
+#include "dem/state/checkpoint.hpp"
 
 #include <cerrno>
 #include <cstdlib>

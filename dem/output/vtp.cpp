@@ -3,7 +3,7 @@
 // VTK PolyData in XML (.vtp).
 #include "dem/output/vtp.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "dem/output/base64.hpp"
 #include "dem/output/columns.hpp"
 

@@ -3,7 +3,7 @@
 // The tables of a scene that switch effects on, and the contact law.
 #include "dem/scene/effect_tables.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 
 #include <algorithm>
 

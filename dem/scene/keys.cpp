@@ -3,7 +3,7 @@
 // Every table and key a scene can have, with what it means.
 #include "dem/scene/keys.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 
 namespace scene {
 

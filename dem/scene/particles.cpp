@@ -3,7 +3,7 @@
 // The particles of a scene: masses and first motion of each group.
 #include "dem/scene/particles.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "dem/scene/sources.hpp"
 #include "packing/random.hpp"
 

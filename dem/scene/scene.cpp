@@ -3,11 +3,11 @@
 // Reads a scene: its tables in the order in which they depend on each other.
 #include "dem/scene/scene.hpp"
 
-#include "dem/engine/error.hpp"
-#include "dem/engine/time_step.hpp"
+#include "dem/base/error.hpp"
 #include "dem/scene/effect_tables.hpp"
 #include "dem/scene/particles.hpp"
 #include "dem/scene/table.hpp"
+#include "dem/setup/time_step.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // Where the particles of a group come from.
 #include "dem/scene/sources.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "packing/growth.hpp"
 #include "packing/packing.hpp"
 #include "packing/random.hpp"

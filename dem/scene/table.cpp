@@ -3,7 +3,7 @@
 // The tables of a scene file: typed values, faults named by file and line.
 #include "dem/scene/table.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "dem/scene/suggestion.hpp"
 
 #include <algorithm>

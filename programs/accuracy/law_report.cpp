@@ -3,7 +3,7 @@
 // The laws that errors follow in the steps per contact, beside those that are derived.
 #include "programs/accuracy/law_report.hpp"
 
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 #include "programs/accuracy/simulation/step_errors.hpp"
 #include "programs/accuracy/ten_times.hpp"
 

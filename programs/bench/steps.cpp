@@ -5,9 +5,9 @@
 // EFFECTS are names with commas, or "none". EDGE^3 equal spheres stand on a cubic lattice, pressed together a little,
 // so that each touches six others, and swing; a third of them would do for a fluid. It prints the bytes of state per
 // particle, the time, and a checksum of the final state. Built twice: with all effects, and with the others left out.
+#include "dem/base/error.hpp"
 #include "dem/engine/engine.hpp"
-#include "dem/engine/error.hpp"
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Each effect against its formula, its absence, and what does not go together.
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "tests/dem/gas.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The hard cases of docs/robustness.md that are the simulation's: faces, images, walls, extreme masses, many contacts.
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "tests/dem/gas.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Scene files: what they mean, and what is refused with which words.
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "dem/scene/keys.hpp"
 #include "dem/scene/scene.hpp"
 #include "dem/scene/suggestion.hpp"

@@ -3,7 +3,7 @@
 // How well an elastic gas keeps its energy.
 #include "programs/accuracy/simulation/gas_energy.hpp"
 
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 #include "programs/accuracy/simulation/collision_laws.hpp"
 #include "programs/accuracy/simulation/oscillator.hpp"
 

@@ -3,7 +3,7 @@
 // What the kink of the force at first touch does to a scheme, to leading order in the time step h.
 #pragma once
 
-#include "dem/engine/scheme.hpp"
+#include "dem/setup/scheme.hpp"
 
 namespace accuracy {
 

@@ -4,7 +4,7 @@
 // rounded.
 #include "programs/accuracy/simulation/rounding_knob.hpp"
 
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 #include "programs/accuracy/simulation/elastic_gas.hpp"
 #include "programs/accuracy/simulation/gas_energy.hpp"
 #include "programs/accuracy/simulation/step_cost.hpp"

@@ -3,8 +3,8 @@
 // Collisions of two spheres that begin at any moment within a time step.
 #include "programs/accuracy/simulation/single_collision.hpp"
 
-#include "dem/engine/error.hpp"
-#include "dem/engine/time_step.hpp"
+#include "dem/base/error.hpp"
+#include "dem/setup/time_step.hpp"
 #include "packing/random.hpp"
 #include "programs/accuracy/simulation/oscillator.hpp"
 

@@ -4,7 +4,7 @@
 // single bit: that is what is looked for, particle by particle.
 #include "programs/accuracy/simulation/skin_knob.hpp"
 
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 #include "packing/packing.hpp"
 #include "packing/random.hpp"
 #include "programs/accuracy/simulation/elastic_gas.hpp"

@@ -3,7 +3,7 @@
 // The knob of the numbers that the state is kept in: float against double, in gases of two sizes.
 #include "programs/accuracy/simulation/state_knob.hpp"
 
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 #include "programs/accuracy/simulation/elastic_gas.hpp"
 #include "programs/accuracy/simulation/float_state.hpp"
 #include "programs/accuracy/simulation/step_cost.hpp"

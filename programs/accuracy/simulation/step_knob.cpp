@@ -3,7 +3,7 @@
 // The knob of the integration scheme and its time step: the systems are the schemes, the settings steps per contact.
 #include "programs/accuracy/simulation/step_knob.hpp"
 
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 #include "programs/accuracy/simulation/elastic_gas.hpp"
 #include "programs/accuracy/simulation/step_cost.hpp"
 #include "programs/accuracy/simulation/step_errors.hpp"

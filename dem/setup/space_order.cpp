@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// An order of particles in which neighbours in space are neighbours in memory.
+#include "dem/setup/space_order.hpp"
+
+#include "packing/morton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dem {
+namespace {
+
+constexpr int kBits = 21;  // per axis: three fit into a word
+
+void reorder(std::vector<double> &rows, const std::vector<uint32_t> &order) {
+  if (rows.empty()) return;
+  const size_t width = rows.size() / order.size();
+  std::vector<double> result;
+  result.reserve(rows.size());
+  for (const uint32_t i : order) {
+    const auto row = rows.begin() + static_cast<ptrdiff_t>(i * width);
+    result.insert(result.end(), row, row + static_cast<ptrdiff_t>(width));
+  }
+  rows.swap(result);
+}
+
+}  // namespace
+
+std::vector<uint32_t> space_order(const Setup &setup) {
+  const auto dimension = static_cast<size_t>(setup.dimension);
+  double low[3], extent = 0;
+  for (size_t k = 0; k < dimension; k++) {
+    double least = INFINITY, most = -INFINITY;
+    for (size_t i = 0; i < setup.count(); i++) {
+      least = std::min(least, setup.centers[i * dimension + k]);
+      most = std::max(most, setup.centers[i * dimension + k]);
+    }
+    low[k] = least;
+    extent = std::max(extent, most - least);
+  }
+  const double scale = extent > 0 ? ((1 << kBits) - 1) / extent : 0;
+  std::vector<uint64_t> places(setup.count());
+  for (size_t i = 0; i < setup.count(); i++) {
+    uint32_t cell[3]{};
+    for (size_t k = 0; k < dimension; k++) {
+      cell[k] = static_cast<uint32_t>((setup.centers[i * dimension + k] - low[k]) * scale);
+    }
+    places[i] = packing::morton_place(cell, setup.dimension, kBits);
+  }
+  return packing::order_by_place<uint32_t>(places);
+}
+
+Setup reordered(const Setup &setup, const std::vector<uint32_t> &order) {
+  Setup result = setup;
+  for (auto *rows : {&result.centers, &result.velocities, &result.radii, &result.masses, &result.spins}) {
+    reorder(*rows, order);
+  }
+  return result;
+}
+
+}  // namespace dem

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The pairs of each step, from the library.
+#include "dem/state/contact_search.hpp"
+
+#include "dem/base/error.hpp"
+
+#include <algorithm>
+
+namespace dem {
+namespace {
+
+bool by_id(const hg_pair &p, const hg_pair &q) { return p.a < q.a || (p.a == q.a && p.b < q.b); }
+
+hg_grid_def grid_def(const Setup &setup) {
+  hg_grid_def def = hg_default_grid_def();
+  def.dimension = setup.dimension;
+  def.thread_count = setup.threads;
+  def.pair_order = HG_ORDER_ID;
+  def.level_count = setup.level_count;
+  def.skin = setup.skin;
+  if (has(setup.effects, kAdhesion)) def.margin = setup.contact.adhesion_range;
+  for (int k = 0; k < setup.dimension; k++) {
+    def.box_min[k] = setup.box_min[k];
+    def.box_max[k] = setup.box_max[k];
+    def.periodic[k] = setup.periodic[k] ? 1 : 0;
+  }
+  // The library knows images at fixed places only. Under shear those along y move: y is open to it, and the pairs
+  // across are asked for one by one.
+  if (has(setup.effects, kShear)) def.periodic[1] = 0;
+  return def;
+}
+
+}  // namespace
+
+ContactSearch::ContactSearch(const Setup &setup)
+    : grid_(particles::create_grid(grid_def(setup))),
+      dimension_(static_cast<size_t>(setup.dimension)),
+      count_(setup.count()),
+      sheared_(has(setup.effects, kShear)),
+      margin_(has(setup.effects, kAdhesion) ? setup.contact.adhesion_range : 0) {
+  particles::require(hg_insert(grid_.get(), count_, setup.centers.data(), setup.radii.data()));
+  if (!sheared_) return;
+  low_ = setup.box_min[1];
+  high_ = setup.box_max[1];
+  radii_ = setup.radii;
+  const double reach = 2 * *std::max_element(radii_.begin(), radii_.end()) + margin_;
+  if (high_ - low_ < 2 * reach) {
+    throw Error("the box is " + text(high_ - low_) + " high: under shear it needs twice the largest reach, " +
+                text(2 * reach));
+  }
+}
+
+PairView ContactSearch::find(const double *centers, const double *radii, double offset) {
+  particles::require(hg_move(grid_.get(), count_, centers, radii));
+  PairView pairs;
+  particles::require(hg_query_pairs(grid_.get(), &pairs.data, &pairs.count));
+  if (!sheared_) return pairs;
+  if (radii != nullptr) radii_.assign(radii, radii + count_);
+  pairs_.assign(pairs.data, pairs.data + pairs.count);
+  add_pairs_across(centers, offset);
+  return {pairs_.data(), pairs_.size()};
+}
+
+// A particle near the upper face meets those near the lower one where its image below is.
+void ContactSearch::add_pairs_across(const double *centers, double offset) {
+  const double reach = *std::max_element(radii_.begin(), radii_.end()) + margin_;
+  const size_t within = pairs_.size();
+  for (size_t i = 0; i < count_; i++) {
+    const double *center = centers + i * dimension_;
+    if (center[1] + radii_[i] + reach < high_) continue;
+    double image[3] = {center[0] - offset, center[1] - (high_ - low_), dimension_ == 3 ? center[2] : 0};
+    const int32_t *ids = nullptr;
+    size_t hits = 0;
+    particles::require(hg_query_sphere(grid_.get(), image, radii_[i], &ids, &hits));
+    for (size_t h = 0; h < hits; h++) {
+      pairs_.push_back({std::min(ids[h], static_cast<int32_t>(i)), std::max(ids[h], static_cast<int32_t>(i))});
+    }
+  }
+  const auto middle = pairs_.begin() + static_cast<ptrdiff_t>(within);
+  std::sort(middle, pairs_.end(), by_id);
+  std::inplace_merge(pairs_.begin(), middle, pairs_.end(), by_id);
+}
+
+hg_grid_stats ContactSearch::stats() const {
+  hg_grid_stats stats{};
+  particles::require(hg_get_stats(grid_.get(), &stats, sizeof stats));
+  return stats;
+}
+
+}  // namespace dem
