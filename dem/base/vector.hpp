@@ -1,11 +1,17 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Vectors of two or three components, and spins: a vector in three dimensions, one number in two.
+// What forces are computed with: vectors of two or three components; spins, a vector in three dimensions and one number
+// in two; pi.
 #pragma once
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <vector>
+
 namespace dem {
+
+constexpr double kPi = 3.14159265358979323846;
 
 // Without alignment, so that an array of them is the [count][D] array that the library takes.
 template <int D, class Real>
@@ -13,6 +19,12 @@ using Vec = Eigen::Matrix<Real, D, 1, Eigen::DontAlign>;
 
 template <int D, class Real>
 using Spin = Eigen::Matrix<Real, D == 3 ? 3 : 1, 1, Eigen::DontAlign>;
+
+// Vector i of those that stand in a row.
+template <class Vector>
+Eigen::Map<const Vector> vector_at(const std::vector<double> &numbers, size_t i) {
+  return Eigen::Map<const Vector>(&numbers[i * Vector::RowsAtCompileTime]);
+}
 
 // spin x arm: the velocity of a point of a body at `arm` from its centre.
 template <int D, class Real>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The force of one contact, composed at compile time from the effects of the scene.
+// The normal force of one contact and its energy, composed at compile time from the effects of the scene.
 //
 // Overlap d, closing speed v = -dd'/dt < 0 while the contact opens, reduced mass mu, reduced radius R.
 //   linear         F = k d + c sqrt(mu) v       c = -2 ln e sqrt(k / (pi^2 + ln^2 e)): restitution e for every pair
@@ -18,46 +18,35 @@
 
 namespace dem {
 
-// What a scene says about contacts; members of effects that are off mean nothing.
-struct ContactParameters {
-  double stiffness = 0;             // k, force per length (linear)
-  double restitution = 1;           // e, 0 < e <= 1 (dissipation)
-  double friction = 0;              // mu, >= 0
-  double tangential_stiffness = 0;  // k_t / k > 0 (linear friction)
-  double rolling_friction = 0;      // >= 0
-  double rolling_stiffness = 0;     // k_r / k > 0
-  double adhesion_force = 0;        // F_a >= 0
-  double adhesion_range = 0;        // h > 0
-  double young_modulus = 0;         // of the particles (Hertz)
-  double poisson_ratio = 0;         // of the particles, -1 < nu <= 0.5
-  double wall_young_modulus = 0;    // 0: rigid walls
-  double wall_poisson_ratio = 0;
-};
-
 enum class Partner { kParticle, kWall };
 
-// The same as numbers that the kernels multiply with.
+// What a scene says about contacts, as numbers that the kernels multiply with.
 template <class Real>
 struct ContactLaw {
   Real stiffness = 0, damping = 0;
   Real friction = 0, tangential_ratio = 0;  // mu, k_t / k
   Real rolling = 0, rolling_ratio = 0;      // the same of rolling
-  Real adhesion_force = 0, inverse_range = 0;
+  Real adhesion_force = 0, range = 0, inverse_range = 0;
   Real modulus = 0;  // E*
 };
 
-template <class Real>
-ContactLaw<Real> make_law(const ContactParameters &parameters, EffectSet effects, Partner partner);
+// How far apart surfaces still act on each other.
+inline double contact_range(const Physics &physics) {
+  return has(physics.effects, kAdhesion) ? physics.contact.adhesion_range : 0;
+}
 
-// What a contact force depends on besides the overlap.
+// What of a contact the law asks for; the rest of NormalContact is not set.
+constexpr EffectSet kNeedMass = kDissipation, kNeedRadius = kHertz | kRolling, kNeedVelocity = kDissipation | kFriction;
+
+// What the normal force depends on.
 template <class Real>
-struct Meeting {
+struct NormalContact {
   Real overlap, closing_speed;
   Real inverse_mass;    // 1/m_a + 1/m_b; 0 if neither can move
   Real inverse_radius;  // 1/r_a + 1/r_b
 };
 
-// Normal force and what the tangential force is reckoned from.
+// Normal force and what the tangential force follows.
 template <class Real>
 struct NormalForce {
   Real value = 0;      // > 0 repels
@@ -67,66 +56,99 @@ struct NormalForce {
 };
 
 template <class Real>
-Real reduced_mass(const Meeting<Real> &meeting) {
-  return meeting.inverse_mass > 0 ? 1 / meeting.inverse_mass : Real(0);
+Real reduced_mass(const NormalContact<Real> &contact) {
+  return contact.inverse_mass > 0 ? 1 / contact.inverse_mass : Real(0);
 }
 
 template <EffectSet E, class Real>
-NormalForce<Real> normal_force(const ContactLaw<Real> &law, const Meeting<Real> &meeting) {
+NormalForce<Real> normal_force(const ContactLaw<Real> &law, const NormalContact<Real> &contact) {
   NormalForce<Real> force;
   if constexpr (has(E, kAdhesion)) {
-    if (meeting.overlap < 0) {
-      force.value = -law.adhesion_force * std::max(Real(0), 1 + meeting.overlap * law.inverse_range);
+    if (contact.overlap < 0) {
+      force.value = -law.adhesion_force * std::max(Real(0), 1 + contact.overlap * law.inverse_range);
       return force;
     }
   }
   if constexpr (has(E, kHertz)) {
     // The library decides overlap exactly; here rounding may leave -0.0...1, which has no root.
-    const Real overlap = std::max(meeting.overlap, Real(0));
-    const Real contact_radius = std::sqrt(overlap / meeting.inverse_radius);  // a = sqrt(R d)
+    const Real overlap = std::max(contact.overlap, Real(0));
+    const Real contact_radius = std::sqrt(overlap / contact.inverse_radius);  // a = sqrt(R d)
     force.stiffness = 2 * law.modulus * contact_radius;
     force.value = Real(2) / 3 * force.stiffness * overlap;
     // sqrt(mu K) d^0.25 = sqrt(mu S 2/3) with S = 3/2 K sqrt(d).
     if constexpr (has(E, kDissipation))
-      force.damping = law.damping * std::sqrt(reduced_mass(meeting) * force.stiffness * (Real(2) / 3));
+      force.damping = law.damping * std::sqrt(reduced_mass(contact) * force.stiffness * (Real(2) / 3));
   } else {
     force.stiffness = law.stiffness;
-    force.value = law.stiffness * meeting.overlap;
-    if constexpr (has(E, kDissipation)) force.damping = law.damping * std::sqrt(reduced_mass(meeting));
+    force.value = law.stiffness * contact.overlap;
+    if constexpr (has(E, kDissipation)) force.damping = law.damping * std::sqrt(reduced_mass(contact));
   }
   // Over a whole contact the dashpot's impulse is 0, so friction that the spring alone bounds takes exactly its
   // coefficient times the normal impulse from a contact that slides throughout.
   force.spring = force.value;
-  if constexpr (has(E, kDissipation)) force.value += force.damping * meeting.closing_speed;
+  if constexpr (has(E, kDissipation)) force.value += force.damping * contact.closing_speed;
   if constexpr (has(E, kAdhesion)) force.value -= law.adhesion_force;
   return force;
 }
 
-// Spring and dashpot side by side, in series with the slider of Cundall and Strack: `stretch` is what the spring
-// remembers, `velocity` the relative velocity in the tangent plane of `normal`, `limit` the most that the slider bears.
-// Returns the force against the motion.
-template <int D, class Real>
-Vec<D, Real> slider_force(Vec<D, Real> &stretch, const Vec<D, Real> &normal, const Vec<D, Real> &velocity, Real step,
-                          Real stiffness, Real damping, Real limit) {
-  if (!(limit > 0)) {  // nothing presses the surfaces together: nothing to remember
-    stretch.setZero();
-    return stretch;
+// The energy that a contact without losses holds, 0 where its surfaces are out of range.
+template <EffectSet E, class Real>
+Real elastic_energy(const ContactLaw<Real> &law, const NormalContact<Real> &contact, const NormalForce<Real> &force) {
+  if constexpr (has(E, kAdhesion)) {
+    if (contact.overlap < 0) {
+      const Real left = std::max(Real(0), law.range + contact.overlap);
+      return -law.adhesion_force * left * law.inverse_range * left / 2;
+    }
   }
-  stretch -= normal * normal.dot(stretch);  // the contact has turned since the last step
-  const Vec<D, Real> stretched = stretch + velocity * step;
-  Vec<D, Real> force = -stiffness * stretched - damping * velocity;
-  const Real size = force.norm();
-  if (!(size > limit)) {
-    stretch = stretched;
-    return force;
+  Real energy = (has(E, kHertz) ? Real(0.4) : Real(0.5)) * force.spring * contact.overlap;
+  if constexpr (has(E, kAdhesion)) energy -= law.adhesion_force * (contact.overlap + law.range / 2);
+  return energy;
+}
+
+// 1 / E* = sum of (1 - nu^2) / E, 1 / G* = sum of (2 - nu) / G, G = E / (2 (1 + nu)). A rigid wall adds nothing.
+inline void set_moduli(const ContactParameters &p, Partner partner, double &normal, double &tangential) {
+  const auto compliance = [](double young, double poisson) { return (1 - poisson * poisson) / young; };
+  const auto shear_compliance = [](double young, double poisson) { return (2 - poisson) * 2 * (1 + poisson) / young; };
+  double sum = compliance(p.young_modulus, p.poisson_ratio);
+  double shear_sum = shear_compliance(p.young_modulus, p.poisson_ratio);
+  if (partner == Partner::kParticle) {
+    sum *= 2;
+    shear_sum *= 2;
+  } else if (p.wall_young_modulus > 0) {
+    sum += compliance(p.wall_young_modulus, p.wall_poisson_ratio);
+    shear_sum += shear_compliance(p.wall_young_modulus, p.wall_poisson_ratio);
   }
-  // While the surfaces slide, spring and dashpot bear the limit together, so the spring follows at the rate that the
-  // dashpot allows. Were it put where it bears the limit alone, a contact would be wound up further than it has moved,
-  // and gain energy.
-  force *= limit / size;
-  const Real firmness = damping + stiffness * step;
-  if (firmness > 0) stretch = (damping * stretch - step * force) / firmness;
-  return force;
+  normal = 1 / sum;
+  tangential = 1 / shear_sum;
+}
+
+template <class Real>
+ContactLaw<Real> make_law(const Physics &physics, Partner partner) {
+  const ContactParameters &p = physics.contact;
+  ContactLaw<Real> law;
+  const double log_e = has(physics.effects, kDissipation) ? std::log(p.restitution) : 0;
+  const double loss = -log_e / std::sqrt(kPi * kPi + log_e * log_e);
+  if (has(physics.effects, kHertz)) {
+    double normal = 0, tangential = 0;
+    set_moduli(p, partner, normal, tangential);
+    law.modulus = static_cast<Real>(normal);
+    law.damping = static_cast<Real>(std::sqrt(5.0) * loss);
+    // k_t / k_n at any overlap: 8 G* a over 2 E* a.
+    law.tangential_ratio = static_cast<Real>(4 * tangential / normal);
+  } else {
+    law.stiffness = static_cast<Real>(p.stiffness);
+    law.damping = static_cast<Real>(2 * loss * std::sqrt(p.stiffness));
+    law.tangential_ratio = static_cast<Real>(p.tangential_stiffness);
+  }
+  law.friction = static_cast<Real>(p.friction);
+  law.rolling = static_cast<Real>(p.rolling_friction);
+  law.rolling_ratio = static_cast<Real>(p.rolling_stiffness);
+  if (has(physics.effects, kAdhesion)) {
+    law.adhesion_force = static_cast<Real>(p.adhesion_force);
+    law.range = static_cast<Real>(p.adhesion_range);
+    law.inverse_range = static_cast<Real>(1 / p.adhesion_range);
+  }
+  return law;
 }
 
 }  // namespace dem

@@ -12,17 +12,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 namespace dem {
 
-// The state at the time of a step, of all particles in order.
-struct Snapshot {
+// The state at the time of a step, of all particles in order; centres inside the box on periodic axes, no spins without
+// friction.
+struct Snapshot : ParticleArrays {
   int dimension = 3;
   double time = 0;
-  std::vector<double> centers, velocities;  // [count][dimension]; centres inside the box on periodic axes
-  std::vector<double> radii, masses;
-  std::vector<double> spins;  // [count][3], or [count] in two dimensions; empty without friction
 };
 
 // Sums over all particles and contacts at the time of a step.

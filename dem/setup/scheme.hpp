@@ -8,7 +8,7 @@
 
 namespace dem {
 
-// Forces are reckoned, then velocities advance by kick, then positions by drift; in time steps.
+// Forces are computed, then velocities advance by kick, then positions by drift; in time steps.
 struct Stage {
   double kick, drift;
 };

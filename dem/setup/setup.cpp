@@ -4,6 +4,7 @@
 #include "dem/setup/setup.hpp"
 
 #include "dem/base/error.hpp"
+#include "dem/effects/table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,23 +51,21 @@ void check_particles(const Setup &setup) {
 
 void check_axes(const Setup &setup) {
   bool any_walled = false, any_periodic = false;
-  for (int k = 0; k < setup.dimension; k++) {
-    any_walled |= setup.walled[k];
-    any_periodic |= setup.periodic[k];
-    if (setup.walled[k] && setup.periodic[k]) {
-      throw Error(std::string("axis ") + "xyz"[k] + " is periodic: it cannot have walls too");
+  for (int axis = 0; axis < setup.dimension; axis++) {
+    any_walled |= setup.walled[axis];
+    any_periodic |= setup.periodic[axis];
+    if (setup.walled[axis] && setup.periodic[axis]) {
+      throw Error(std::string("axis ") + "xyz"[axis] + " is periodic: it cannot have walls too");
     }
-    const bool bounded = setup.walled[k] || setup.periodic[k];
-    if (bounded && !(setup.box_max[k] > setup.box_min[k] && std::isfinite(setup.box_max[k] - setup.box_min[k]))) {
-      throw Error(std::string("the box reaches from ") + text(setup.box_min[k]) + " to " + text(setup.box_max[k]) +
-                  " on axis " + "xyz"[k]);
+    const bool bounded = setup.walled[axis] || setup.periodic[axis];
+    if (bounded &&
+        !(setup.box_max[axis] > setup.box_min[axis] && std::isfinite(setup.box_max[axis] - setup.box_min[axis]))) {
+      throw Error(std::string("the box reaches from ") + text(setup.box_min[axis]) + " to " +
+                  text(setup.box_max[axis]) + " on axis " + "xyz"[axis]);
     }
   }
   if (any_walled != has(setup.effects, kWalls) || any_periodic != has(setup.effects, kPeriodic)) {
     throw Error("the walled and periodic axes do not agree with the effects " + names_of(setup.effects));
-  }
-  if (has(setup.effects, kShear) && !(setup.periodic[0] && setup.periodic[1])) {
-    throw Error("shear needs the periodic axes x and y");
   }
 }
 
@@ -76,16 +75,9 @@ void check_setup(const Setup &setup) {
   if (setup.dimension != 2 && setup.dimension != 3) {
     throw Error("the dimension is 2 or 3, not " + std::to_string(setup.dimension));
   }
-  require_possible(setup.effects);
+  check_physics(setup);
   check_particles(setup);
   check_axes(setup);
-  if (has(setup.effects, kDrag) && !(setup.viscosity >= 0)) {
-    throw Error("the viscosity is 0 or above, not " + text(setup.viscosity));
-  }
-  // Shrinking particles would get lighter, and collisions shorter than the time step reckons with.
-  if (has(setup.effects, kGrowth) && !(setup.growth_rate >= 0)) {
-    throw Error("the rate of growth is 0 or above, not " + text(setup.growth_rate));
-  }
   if (setup.level_count < 0) throw Error("the number of levels is " + std::to_string(setup.level_count) + ", below 0");
   if (!(setup.skin >= 0)) throw Error("the skin is 0 or above, not " + text(setup.skin));
 }

@@ -16,4 +16,8 @@ std::vector<uint32_t> space_order(const Setup &setup);
 // The same setup with its particles in that order.
 Setup reordered(const Setup &setup, const std::vector<uint32_t> &order);
 
+// Particle order[k] comes k-th; the inverse order brings all back.
+void reorder(ParticleArrays &particles, const std::vector<uint32_t> &order);
+std::vector<uint32_t> inverse(const std::vector<uint32_t> &order);
+
 }  // namespace dem

@@ -4,6 +4,8 @@
 #include "dem/setup/time_step.hpp"
 
 #include "dem/base/error.hpp"
+#include "dem/effects/body_force.hpp"
+#include "dem/effects/contact_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +15,6 @@
 namespace dem {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The two lightest particles: their reduced mass is the smallest of all pairs.
@@ -36,7 +37,7 @@ double fastest_approach(const Setup &setup) {
   double fastest = 0;
   for (size_t i = 0; i < setup.count(); i++) {
     double square = 0;
-    for (size_t k = 0; k < dimension; k++) square += std::pow(setup.velocities[i * dimension + k], 2);
+    for (size_t axis = 0; axis < dimension; axis++) square += std::pow(setup.velocities[i * dimension + axis], 2);
     fastest = std::max(fastest, std::sqrt(square));
   }
   if (fastest == 0) {
@@ -56,8 +57,8 @@ double tangential_speedup(const Setup &setup, double tangential_ratio) {
 
 double hertz_contact(const Setup &setup, double mass) {
   // Stiffest is the pair of largest modulus and largest radius at the smallest mass.
-  const ContactLaw<double> pairs = make_law<double>(setup.contact, setup.effects, Partner::kParticle);
-  const ContactLaw<double> walls = make_law<double>(setup.contact, setup.effects, Partner::kWall);
+  const ContactLaw<double> pairs = make_law<double>(setup, Partner::kParticle);
+  const ContactLaw<double> walls = make_law<double>(setup, Partner::kWall);
   const bool walled = has(setup.effects, kWalls);
   const double modulus = walled ? std::max(pairs.modulus, walls.modulus) : pairs.modulus;
   const double largest = *std::max_element(setup.radii.begin(), setup.radii.end());
@@ -89,9 +90,9 @@ void require_time_step(const Setup &setup) {
                 text(contact / kUsualStepsPerContact) + " is usual");
   }
   if (has(setup.effects, kDrag)) {
-    double fastest = 0;  // 6 pi eta r / m: how fast drag slows a particle
+    double fastest = 0;  // how fast drag slows a particle
     for (size_t i = 0; i < setup.count(); i++) {
-      fastest = std::max(fastest, 6 * kPi * setup.viscosity * setup.radii[i] / setup.masses[i]);
+      fastest = std::max(fastest, drag_of(setup) * setup.radii[i] / setup.masses[i]);
     }
     if (setup.time_step * fastest > 0.1) {
       throw Error("the time step " + text(setup.time_step) + " is too large: drag stops the lightest particle within " +

@@ -16,7 +16,7 @@ constexpr double kUsualStepsPerContact = 50;
 //   linear  t_c = sqrt(mu (pi^2 + ln^2 e) / k), of the two lightest particles; shorter if the tangential spring is
 //           stiffer: it moves the mass mu / (1 + 1 / q), I = q m r^2
 //   Hertz   t_c = 2.943275 (mu^2 / (R v))^(1/5) (15 / (16 E*))^(2/5) at the impact speed v, without dissipation
-// Infinite without particles that can move. Throws Error if Hertz contacts come without any speed to reckon with.
+// Infinite without particles that can move. Throws Error if Hertz contacts come without any speed.
 double shortest_contact(const Setup &setup);
 
 // Throws Error naming the limit if the setup's time step is above it, or not above 0.

@@ -35,8 +35,9 @@ struct Bodies {
   }
 
   size_t bytes() const {
-    return sizeof(Vec<D, Real>) * (position.size() + velocity.size() + force.size()) +
-           sizeof(Real) * (radius.size() + inverse_mass.size()) + sizeof(Spin<D, Real>) * (spin.size() + torque.size());
+    size_t sum = 0;
+    visit_arrays(*this, [&](const char *, const auto &array) { sum += sizeof array[0] * array.size(); });
+    return sum;
   }
 
   // 1 / I from 1 / m: I = 2/5 m r^2 for a ball, 1/2 m r^2 for a disc.
@@ -45,5 +46,17 @@ struct Bodies {
     return kShape * inverse_mass[i] / (radius[i] * radius[i]);
   }
 };
+
+// All arrays under the names that they have in checkpoints: what is written and what is read is one list.
+template <class SomeBodies, class Visit>
+void visit_arrays(SomeBodies &bodies, Visit visit) {
+  visit("position", bodies.position);
+  visit("velocity", bodies.velocity);
+  visit("force", bodies.force);
+  visit("radius", bodies.radius);
+  visit("inverse mass", bodies.inverse_mass);
+  visit("spin", bodies.spin);
+  visit("torque", bodies.torque);
+}
 
 }  // namespace dem

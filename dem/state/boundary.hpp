@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The box, and which image of a partner a particle meets.
+// The box: which image of a partner a particle meets, and which walls it reaches.
 #pragma once
 
 #include "dem/base/vector.hpp"
 #include "dem/setup/setup.hpp"
 
+#include <hgrid/hgrid.h>
+
 #include <cstdint>
+#include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace dem {
 
@@ -39,13 +43,14 @@ struct Boundary {
       speed = -crossed * jump;
     }
     if constexpr (has(E, kPeriodic)) {
-      for (int k = 0; k < D; k++) separation[k] -= period[k] * nearest_whole(separation[k] * inverse_period[k]);
+      for (int axis = 0; axis < D; axis++)
+        separation[axis] -= period[axis] * nearest_whole(separation[axis] * inverse_period[axis]);
     }
     return speed;
   }
 };
 
-// Wall 2k bounds axis k below, wall 2k + 1 above.
+// Wall 2 a bounds axis a below, wall 2 a + 1 above.
 constexpr int axis_of(int32_t wall) { return wall / 2; }
 constexpr bool is_upper(int32_t wall) { return wall % 2 == 1; }
 
@@ -53,26 +58,62 @@ constexpr bool is_upper(int32_t wall) { return wall % 2 == 1; }
 // pushed back.
 template <int D, class Real>
 Real wall_overlap(const Boundary<D, Real> &boundary, Real x, Real radius, int32_t wall) {
-  const int k = axis_of(wall);
-  return radius - (is_upper(wall) ? boundary.high[k] - x : x - boundary.low[k]);
+  const int axis = axis_of(wall);
+  return radius - (is_upper(wall) ? boundary.high[axis] - x : x - boundary.low[axis]);
 }
 
 template <int D, class Real>
 Boundary<D, Real> make_boundary(const Setup &setup) {
   Boundary<D, Real> boundary;
-  for (int k = 0; k < D; k++) {
-    boundary.low[k] = static_cast<Real>(setup.box_min[k]);
-    boundary.high[k] = static_cast<Real>(setup.box_max[k]);
-    boundary.walled[k] = setup.walled[k];
-    if (!setup.periodic[k]) continue;
-    const double length = setup.box_max[k] - setup.box_min[k];
-    boundary.period[k] = static_cast<Real>(length);
-    boundary.inverse_period[k] = static_cast<Real>(1 / length);
+  for (int axis = 0; axis < D; axis++) {
+    boundary.low[axis] = static_cast<Real>(setup.box_min[axis]);
+    boundary.high[axis] = static_cast<Real>(setup.box_max[axis]);
+    boundary.walled[axis] = setup.walled[axis];
+    if (!setup.periodic[axis]) continue;
+    const double length = setup.box_max[axis] - setup.box_min[axis];
+    boundary.period[axis] = static_cast<Real>(length);
+    boundary.inverse_period[axis] = static_cast<Real>(1 / length);
   }
   if (has(setup.effects, kShear)) {
     boundary.jump = static_cast<Real>(setup.shear_rate * (setup.box_max[1] - setup.box_min[1]));
   }
   return boundary;
 }
+
+// The planes a surface must pass to reach a wall; axes without walls have none.
+template <int D, class Real>
+struct WallReach {
+  Vec<D, Real> low, high;
+
+  // `range` is how far walls act beyond touching.
+  WallReach(const Boundary<D, Real> &boundary, Real range) {
+    constexpr Real kNever = std::numeric_limits<Real>::infinity();
+    for (int axis = 0; axis < D; axis++) {
+      const bool walled = boundary.walled[axis];
+      low[axis] = walled ? boundary.low[axis] + range : -kNever;
+      high[axis] = walled ? boundary.high[axis] - range : kNever;
+    }
+  }
+
+  bool below(const Vec<D, Real> &x, Real r, int axis) const { return x[axis] - r < low[axis]; }
+  bool above(const Vec<D, Real> &x, Real r, int axis) const { return x[axis] + r > high[axis]; }
+
+  bool any(const Vec<D, Real> &x, Real r) const {
+    bool reached = false;
+    for (int axis = 0; axis < D; axis++) {  // no branch per plane
+      reached |= below(x, r, axis);
+      reached |= above(x, r, axis);
+    }
+    return reached;
+  }
+
+  // Inlined whatever the compiler thinks, else what a step costs depends on how many effects are built.
+  [[gnu::always_inline]] void list(const Vec<D, Real> &x, Real r, size_t i, std::vector<hg_pair> &contacts) const {
+    for (int axis = 0; axis < D; axis++) {
+      if (below(x, r, axis)) contacts.push_back({static_cast<int32_t>(i), 2 * axis});
+      if (above(x, r, axis)) contacts.push_back({static_cast<int32_t>(i), 2 * axis + 1});
+    }
+  }
+};
 
 }  // namespace dem

@@ -4,6 +4,7 @@
 #include "dem/state/contact_search.hpp"
 
 #include "dem/base/error.hpp"
+#include "dem/effects/contact_law.hpp"
 
 #include <algorithm>
 
@@ -19,11 +20,11 @@ hg_grid_def grid_def(const Setup &setup) {
   def.pair_order = HG_ORDER_ID;
   def.level_count = setup.level_count;
   def.skin = setup.skin;
-  if (has(setup.effects, kAdhesion)) def.margin = setup.contact.adhesion_range;
-  for (int k = 0; k < setup.dimension; k++) {
-    def.box_min[k] = setup.box_min[k];
-    def.box_max[k] = setup.box_max[k];
-    def.periodic[k] = setup.periodic[k] ? 1 : 0;
+  def.margin = contact_range(setup);
+  for (int axis = 0; axis < setup.dimension; axis++) {
+    def.box_min[axis] = setup.box_min[axis];
+    def.box_max[axis] = setup.box_max[axis];
+    def.periodic[axis] = setup.periodic[axis] ? 1 : 0;
   }
   // The library knows images at fixed places only. Under shear those along y move: y is open to it, and the pairs
   // across are asked for one by one.
@@ -38,7 +39,7 @@ ContactSearch::ContactSearch(const Setup &setup)
       dimension_(static_cast<size_t>(setup.dimension)),
       count_(setup.count()),
       sheared_(has(setup.effects, kShear)),
-      margin_(has(setup.effects, kAdhesion) ? setup.contact.adhesion_range : 0) {
+      margin_(contact_range(setup)) {
   particles::require(hg_insert(grid_.get(), count_, setup.centers.data(), setup.radii.data()));
   if (!sheared_) return;
   low_ = setup.box_min[1];

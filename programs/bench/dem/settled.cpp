@@ -4,6 +4,7 @@
 #include "programs/bench/dem/settled.hpp"
 
 #include "dem/base/error.hpp"
+#include "dem/effects/table.hpp"
 #include "dem/engine/engine.hpp"
 #include "dem/scene/scene.hpp"
 #include "programs/bench/child.hpp"
