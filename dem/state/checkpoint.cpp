@@ -6,11 +6,11 @@
 // own length, name and bytes; last the checksum of all that. Numbers are 64-bit.
 #include "dem/state/checkpoint.hpp"
 
+#include "particles/text/output.hpp"
+#include "particles/text/text_file.hpp"
+
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string_view>
 
 namespace dem {
@@ -23,22 +23,7 @@ void append(std::string &bytes, uint64_t number) {
   bytes.append(reinterpret_cast<const char *>(&number), sizeof number);
 }
 
-struct CloseFile {
-  void operator()(std::FILE *file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
-
 [[noreturn]] void fail(const std::string &path, const std::string &what) { throw Error(path + ": " + what); }
-
-std::string load(const std::string &path) {
-  const File file(std::fopen(path.c_str(), "rb"));
-  if (!file) fail(path, std::string("cannot open: ") + std::strerror(errno));
-  std::string bytes;
-  char buffer[1 << 16];
-  for (size_t got = 0; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) bytes.append(buffer, got);
-  if (std::ferror(file.get()) != 0) fail(path, std::string("cannot read: ") + std::strerror(errno));
-  return bytes;
-}
 
 // Walks over the bytes of a file; every length is checked before it is believed.
 class Walk {
@@ -88,21 +73,16 @@ void Checkpoint::write(const std::string &path) const {
   }
   append(bytes, checksum(bytes.data(), bytes.size()));
   const std::string partial = path + ".partial";
-  {
-    File file(std::fopen(partial.c_str(), "wb"));
-    if (!file) fail(partial, std::string("cannot write: ") + std::strerror(errno));
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-    if (!written || std::fclose(file.release()) != 0) {
-      fail(partial, std::string("cannot write: ") + std::strerror(errno));
-    }
-  }
+  particles::Output file(partial);
+  file << bytes;
+  file.close();
   std::error_code error;
   std::filesystem::rename(partial, path, error);
   if (error) fail(path, "cannot write: " + error.message());
 }
 
 Checkpoint Checkpoint::read(const std::string &path) {
-  const std::string bytes = load(path);
+  const std::string bytes = particles::load_text(path).text;
   if (bytes.compare(0, kTitle.size(), kTitle) != 0) fail(path, "is no checkpoint of this version");
   Walk walk(path, std::string_view(bytes).substr(kTitle.size()));
   if (walk.number() != kByteOrder) fail(path, "was written on a machine with another order of bytes");
