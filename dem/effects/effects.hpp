@@ -29,6 +29,8 @@ using EffectSet = unsigned;
 // Whether the set has one of these effects.
 constexpr bool has(EffectSet set, EffectSet effects) { return (set & effects) != 0; }
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 struct ContactParameters {
   double stiffness = 0;                   // k, force per length (linear)
   double restitution = 1;                 // e (dissipation)
@@ -51,11 +53,11 @@ struct Physics {
   ContactParameters contact;
   bool walled[3]{}, periodic[3]{};  // per axis, at most one of them
   double gravity[3]{};
-  double viscosity = 0;    // of the fluid: Stokes drag 6 pi eta r v (drag)
-  double growth_rate = 0;  // of all radii relative to those at the start, per time (growth)
-  double growth_end = std::numeric_limits<double>::infinity();  // time when growth stops
-  double shear_rate = 0;                                        // du_x / dy (shear)
-  double impact_speed = 0;  // the fastest approach, for the time step; 0: that of the initial velocities (hertz)
+  double viscosity = 0;           // of the fluid: Stokes drag 6 pi eta r v (drag)
+  double growth_rate = 0;         // of all radii relative to those at the start, per time (growth)
+  double growth_end = kInfinity;  // time when growth stops
+  double shear_rate = 0;          // du_x / dy (shear)
+  double impact_speed = 0;        // the fastest approach, for the time step; 0: that of the initial velocities (hertz)
 };
 
 }  // namespace dem

@@ -21,7 +21,7 @@ struct Range {
   bool closed;
   const char *name;  // as in "lies ..."
 };
-constexpr double kLargest = std::numeric_limits<double>::max(), kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr Range kAny{-kInfinity, kInfinity, true, "at a number"}, kPositive{0, kLargest, false, "above 0"},
     kNotNegative{0, kLargest, true, "at 0 or above"}, kRestitution{0, 1, false, "in (0, 1]"},
     kPoisson{-1, 0.5, false, "in (-1, 0.5]"};

@@ -7,12 +7,11 @@
 #include "dem/setup/scheme.hpp"
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace dem {
 
-constexpr double kImmovable = std::numeric_limits<double>::infinity();  // the mass of such a particle
+constexpr double kImmovable = kInfinity;  // the mass of such a particle
 
 struct ParticleArrays {
   std::vector<double> centers, velocities;  // [count][dimension]

@@ -31,7 +31,7 @@ std::vector<uint32_t> space_order(const Setup &setup) {
   const auto dimension = static_cast<size_t>(setup.dimension);
   double low[3], extent = 0;
   for (size_t axis = 0; axis < dimension; axis++) {
-    double least = INFINITY, most = -INFINITY;
+    double least = kInfinity, most = -kInfinity;
     for (size_t i = 0; i < setup.count(); i++) {
       least = std::min(least, setup.centers[i * dimension + axis]);
       most = std::max(most, setup.centers[i * dimension + axis]);

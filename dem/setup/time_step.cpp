@@ -9,13 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace dem {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The two lightest particles: their reduced mass is the smallest of all pairs.
 double smallest_reduced_mass(const Setup &setup) {
