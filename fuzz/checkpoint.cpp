@@ -3,8 +3,9 @@
 // Fuzzes the reader of checkpoints: a damaged one of a small scene is refused with a text, or goes on.
 //
 // The input is a list of changes to a sound checkpoint; the checksum is made to fit, else nothing would come past it.
+#include "dem/base/error.hpp"
 #include "dem/engine/engine.hpp"
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 #include "fuzz/memory_file.hpp"
 #include "fuzz/refusal.hpp"
 

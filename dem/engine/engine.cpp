@@ -3,12 +3,10 @@
 // Makes the engine that a setup asks for.
 #include "dem/engine/engine.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "dem/engine/simulation.hpp"
-#include "dem/engine/space_order.hpp"
-#include "dem/engine/time_step.hpp"
-
-#include <utility>
+#include "dem/setup/space_order.hpp"
+#include "dem/setup/time_step.hpp"
 
 namespace dem {
 namespace {
@@ -16,23 +14,22 @@ namespace {
 // Schemes other than one kick and one drift per step are for comparing integrators on simple contacts.
 void check_scheme(const Setup &setup) {
   const Scheme &scheme = setup.scheme;
-  const EffectSet memory = setup.effects & (kFriction | kRolling | kShear | kGrowth);
-  if ((scheme.stages.size() > 1 || scheme.shared_drift != 0) && memory != 0) {
-    throw Error("the scheme " + scheme.name + " does not go together with " + names_of(memory));
+  const EffectSet stateful = setup.effects & effects_with(kStateful);
+  if ((scheme.stages.size() > 1 || scheme.shared_drift != 0) && stateful != 0) {
+    throw Error("the scheme " + scheme.name + " does not go together with " + names_of(stateful));
   }
-  const EffectSet losses = setup.effects & (kDissipation | kDrag);
-  if (scheme.stages.size() > 1 && losses != 0) {
-    throw Error("the scheme " + scheme.name + " goes back in time, which does not go together with " +
-                names_of(losses));
+  const EffectSet lossy = setup.effects & effects_with(kLossy);
+  if (scheme.stages.size() > 1 && lossy != 0) {
+    throw Error("the scheme " + scheme.name + " goes back in time, which does not go together with " + names_of(lossy));
   }
 }
 
 template <class Real>
 std::unique_ptr<Engine> make_engine_in(const Setup &setup) {
-  std::vector<uint32_t> order = space_order(setup);
+  const std::vector<uint32_t> order = space_order(setup);
   const Setup sorted = reordered(setup, order);
-  if (setup.dimension == 2) return std::make_unique<Simulation<2, Real>>(sorted, std::move(order));
-  return std::make_unique<Simulation<3, Real>>(sorted, std::move(order));
+  if (setup.dimension == 2) return std::make_unique<Simulation<2, Real>>(sorted, inverse(order));
+  return std::make_unique<Simulation<3, Real>>(sorted, inverse(order));
 }
 
 }  // namespace

@@ -4,25 +4,22 @@
 // once: a call of the engine does whole steps.
 #pragma once
 
-#include "dem/engine/checkpoint.hpp"
-#include "dem/engine/setup.hpp"
+#include "dem/setup/setup.hpp"
+#include "dem/state/checkpoint.hpp"
 
 #include <hgrid/hgrid.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 namespace dem {
 
-// The state at the time of a step, of all particles in order.
-struct Snapshot {
+// The state at the time of a step, of all particles in order; centres inside the box on periodic axes, no spins without
+// friction.
+struct Snapshot : ParticleArrays {
   int dimension = 3;
   double time = 0;
-  std::vector<double> centers, velocities;  // [count][dimension]; centres inside the box on periodic axes
-  std::vector<double> radii, masses;
-  std::vector<double> spins;  // [count][3], or [count] in two dimensions; empty without friction
 };
 
 // Sums over all particles and contacts at the time of a step.

@@ -2,25 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Energies, momenta and overlaps of a state, in double whatever the state is kept in.
 //
-// Looking is rare, so one function serves all effects and asks for them as it goes.
+// Looking is rare, so one function serves all effects and picks each law as it goes.
 #pragma once
 
-#include "dem/engine/boundary.hpp"
-#include "dem/engine/contact_search.hpp"
 #include "dem/engine/engine.hpp"
+#include "dem/state/boundary.hpp"
+#include "dem/state/contact_history.hpp"
 
 namespace dem {
 
-// The contacts of a state. The stretches of the springs with memory belong to `pairs` and `walls` one by one,
-// [count][D].
+// Contacts of one kind and what they remember, by history_of(effect) and contact; empty without the effect.
 template <int D>
 struct ContactState {
-  PairView pairs, walls;
-  std::vector<Vec<D, double>> pair_slip, pair_roll, wall_slip, wall_roll;  // empty without the effect
+  PairView list;
+  std::array<std::vector<Vec<D, double>>, kHistoryCount> history;
 };
 
 template <int D>
 Measurement measure_state(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
-                          const ContactState<D> &contacts);
+                          const ContactState<D> &pairs, const ContactState<D> &walls);
 
 }  // namespace dem

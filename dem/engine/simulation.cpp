@@ -3,9 +3,7 @@
 // The engine of one dimension and precision: the order of work within a step.
 #include "dem/engine/simulation.hpp"
 
-#include "dem/engine/error.hpp"
-#include "dem/engine/parallel.hpp"
-#include "dem/engine/wall_reach.hpp"
+#include "dem/base/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,36 +13,30 @@
 namespace dem {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 Setup without_particles(const Setup &setup) {
   Setup result = setup;
-  for (auto *array : {&result.centers, &result.velocities, &result.radii, &result.masses, &result.spins}) {
-    array->clear();
-    array->shrink_to_fit();
-  }
+  static_cast<ParticleArrays &>(result) = {};
   return result;
 }
 
 }  // namespace
 
 template <int D, class Real>
-Simulation<D, Real>::Simulation(const Setup &setup, std::vector<uint32_t> order)
+Simulation<D, Real>::Simulation(const Setup &setup, std::vector<uint32_t> places)
     : setup_(without_particles(setup)),
-      order_(std::move(order)),
+      places_(std::move(places)),
       threads_(usable_threads(setup.threads)),
-      gravity_(Eigen::Map<const Vec<D, double>>(setup.gravity).template cast<Real>()),
-      drag_(static_cast<Real>(6 * kPi * setup.viscosity)),
-      pair_law_(make_law<Real>(setup.contact, setup.effects, Partner::kParticle)),
-      wall_law_(make_law<Real>(setup.contact, setup.effects, Partner::kWall)),
+      boundary_(make_boundary<D, Real>(setup)),
+      body_force_(make_body_force<D, Real>(setup)),
+      pair_law_(make_law<Real>(setup, Partner::kParticle)),
+      wall_law_(make_law<Real>(setup, Partner::kWall)),
       pair_kernel_(find_pair_kernel<D, Real>(setup.effects)),
+      wall_kernel_(find_wall_kernel<D, Real>(setup.effects)),
       motion_kernel_(find_motion_kernel<D, Real>(setup.effects)),
       search_(setup),
       walls_of_part_(static_cast<size_t>(threads_)),
-      pair_memory_(setup.effects),
-      wall_memory_(setup.effects) {
-  if (has(setup.effects, kWalls)) wall_kernel_ = find_wall_kernel<D, Real>(setup.effects);
-  boundary_ = make_boundary<D, Real>(setup);
+      pair_history_(setup.effects),
+      wall_history_(setup.effects) {
   load_bodies(setup);
   list_wall_contacts();
 }
@@ -54,21 +46,19 @@ void Simulation<D, Real>::load_bodies(const Setup &setup) {
   bodies_.resize(setup.count(), setup.effects);
   const auto lead = static_cast<Real>(setup.scheme.shared_drift * setup.time_step);
   for (size_t i = 0; i < setup.count(); i++) {
-    bodies_.velocity[i] = Eigen::Map<const Vec<D, double>>(&setup.velocities[i * D]).template cast<Real>();
-    bodies_.position[i] = Eigen::Map<const Vec<D, double>>(&setup.centers[i * D]).template cast<Real>();
+    bodies_.velocity[i] = vector_at<Vec<D, double>>(setup.velocities, i).template cast<Real>();
+    bodies_.position[i] = vector_at<Vec<D, double>>(setup.centers, i).template cast<Real>();
     bodies_.position[i] += lead * bodies_.velocity[i];
     bodies_.radius[i] = static_cast<Real>(setup.radii[i]);
     bodies_.inverse_mass[i] = static_cast<Real>(1 / setup.masses[i]);
-    if (has(setup.effects, kFriction) && !setup.spins.empty()) {
-      using Given = Spin<D, double>;
-      bodies_.spin[i] = Eigen::Map<const Given>(&setup.spins[i * Given::RowsAtCompileTime]).template cast<Real>();
-    }
+    if (bodies_.spin.empty() || setup.spins.empty()) continue;
+    bodies_.spin[i] = vector_at<Spin<D, double>>(setup.spins, i).template cast<Real>();
   }
 }
 
 template <int D, class Real>
 Real Simulation<D, Real>::wall_range() const {
-  return has(setup_.effects, kAdhesion) ? static_cast<Real>(setup_.contact.adhesion_range) : Real(0);
+  return static_cast<Real>(contact_range(setup_));
 }
 
 template <int D, class Real>
@@ -136,8 +126,8 @@ void Simulation<D, Real>::find_pairs() {
   if (pairs_known_) return;
   boundary_.offset = static_cast<Real>(image_offset());
   pairs_ = search_.find(centers(), radii(), image_offset());
-  pair_memory_.follow(pairs_);
-  wall_memory_.follow({wall_contacts_.data(), wall_contacts_.size()});
+  pair_history_.follow(pairs_);
+  wall_history_.follow(walls());
   pairs_known_ = true;
 }
 
@@ -145,38 +135,28 @@ template <int D, class Real>
 void Simulation<D, Real>::find_forces() {
   if (forces_known_) return;
   find_pairs();
-  if (wall_kernel_ != nullptr) {
-    const WallTask<D, Real> task{&bodies_,
-                                 &boundary_,
-                                 &wall_law_,
-                                 wall_contacts_.data(),
-                                 static_cast<Real>(last_drift_),
-                                 wall_memory_.slip(),
-                                 wall_memory_.roll()};
-    wall_kernel_(task, 0, wall_contacts_.size());
-  }
-  add_pair_forces();
+  wall_kernel_(task_of(wall_law_, walls(), wall_history_), 0, walls().size());
+  find_pair_forces();
   forces_known_ = true;
 }
 
-// On several threads the pairs' forces are reckoned first and then added up by runs of particles: each particle's sum
+template <int D, class Real>
+ContactTask<D, Real> Simulation<D, Real>::task_of(const ContactLaw<Real> &law, PairView contacts,
+                                                  ContactHistory<D, Real> &history) {
+  return {&bodies_, &boundary_, &law, contacts.data(), {history.rows(), static_cast<Real>(last_drift_)}};
+}
+
+// On several threads the pairs' forces are computed first and then added up by runs of particles: each particle's sum
 // goes through its pairs in the order of the list, as on one thread, and so is the same to the last bit.
 template <int D, class Real>
-void Simulation<D, Real>::add_pair_forces() {
-  PairTask<D, Real> task{&bodies_,
-                         &boundary_,
-                         &pair_law_,
-                         pairs_.data(),
-                         static_cast<Real>(last_drift_),
-                         pair_memory_.slip(),
-                         pair_memory_.roll(),
-                         nullptr};
+void Simulation<D, Real>::find_pair_forces() {
+  ContactTask<D, Real> task = task_of(pair_law_, pairs_, pair_history_);
   if (threads_ == 1) return pair_kernel_(task, 0, pairs_.size());
-  efforts_.resize(pairs_.size());
-  task.efforts = efforts_.data();
+  pair_forces_.resize(pairs_.size());
+  task.pairs = pair_forces_.data();
   in_parts(threads_, pairs_.size(), [&](int, size_t first, size_t last) { pair_kernel_(task, first, last); });
   in_parts(threads_, bodies_.count(), [&](int, size_t first, size_t last) {
-    add_efforts(bodies_, pairs_.data(), pairs_.size(), efforts_.data(), first, last);
+    add_pair_forces(bodies_, pairs_.data(), pairs_.size(), pair_forces_.data(), first, last);
   });
 }
 
@@ -185,7 +165,7 @@ void Simulation<D, Real>::advance(const Stage &stage) {
   const double kick = stage.kick * setup_.time_step;
   last_drift_ = stage.drift * setup_.time_step;
   const MotionTask<D, Real> task{
-      &bodies_, &boundary_, static_cast<Real>(kick), static_cast<Real>(last_drift_), gravity_, drag_, wall_range()};
+      &bodies_, &boundary_, body_force_, static_cast<Real>(kick), static_cast<Real>(last_drift_), wall_range()};
   for (std::vector<hg_pair> &part : walls_of_part_) part.clear();
   in_parts(threads_, bodies_.count(), [&](int part, size_t first, size_t last) {
     motion_kernel_(task, first, last, walls_of_part_[static_cast<size_t>(part)]);
@@ -235,8 +215,9 @@ void Simulation<D, Real>::cross_sheared_faces() {
 
 template <int D, class Real>
 size_t Simulation<D, Real>::state_bytes() const {
-  size_t bytes = sizeof order_.front() * order_.size() + bodies_.bytes() + pair_memory_.bytes() + wall_memory_.bytes();
-  bytes += sizeof(PairEffort<D, Real>) * efforts_.capacity();
+  size_t bytes =
+      sizeof places_.front() * places_.size() + bodies_.bytes() + pair_history_.bytes() + wall_history_.bytes();
+  bytes += sizeof(PairForce<D, Real>) * pair_forces_.capacity();
   bytes += sizeof(double) * (staged_centers_.capacity() + staged_radii_.capacity());
   bytes += sizeof(hg_pair) * wall_contacts_.capacity();
   for (const std::vector<hg_pair> &part : walls_of_part_) bytes += sizeof(hg_pair) * part.capacity();

@@ -3,27 +3,23 @@
 // The engine of one dimension and precision: the order of work within a step.
 #pragma once
 
-#include "dem/engine/bodies.hpp"
-#include "dem/engine/boundary.hpp"
-#include "dem/engine/contact_memory.hpp"
-#include "dem/engine/contact_search.hpp"
 #include "dem/engine/engine.hpp"
-#include "dem/engine/motion_kernel.hpp"
-#include "dem/engine/pair_kernel.hpp"
-#include "dem/engine/wall_kernel.hpp"
+#include "dem/kernels/contact_kernel.hpp"
+#include "dem/kernels/motion_kernel.hpp"
+#include "dem/state/contact_history.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace dem {
 
-// The state between two steps is (x_n, v, forces not yet reckoned), v lagging as the scheme says; or, after someone
-// looked at it, the same with the forces of x_n reckoned. Both go on to the same bits.
+// The state between two steps is (x_n, v, forces not yet computed), v lagging as the scheme says; or, after someone
+// looked at it, the same with the forces of x_n computed. Both go on to the same bits.
 template <int D, class Real>
 class Simulation final : public Engine {
  public:
-  // The setup's particles stand in `order`; what is shown comes in the order they were given in.
-  Simulation(const Setup &setup, std::vector<uint32_t> order);
+  // Particle i as it was given is places[i] of the setup; what is shown comes in the order they were given in.
+  Simulation(const Setup &setup, std::vector<uint32_t> places);
 
   void run(uint64_t steps) override;
   Measurement measure() override;
@@ -42,10 +38,12 @@ class Simulation final : public Engine {
   void load_bodies(const Setup &setup);
   void list_wall_contacts();
   Real wall_range() const;
+  PairView walls() const { return {wall_contacts_.data(), wall_contacts_.size()}; }
 
   void find_pairs();
   void find_forces();
-  void add_pair_forces();
+  ContactTask<D, Real> task_of(const ContactLaw<Real> &law, PairView contacts, ContactHistory<D, Real> &history);
+  void find_pair_forces();
   void advance(const Stage &stage);
   void grow();
   void cross_sheared_faces();
@@ -58,25 +56,23 @@ class Simulation final : public Engine {
   const double *centers();
   const double *radii();
 
-  Setup setup_;                  // without its arrays of particles
-  std::vector<uint32_t> order_;  // place in what was given of each particle
+  Setup setup_;  // without its arrays of particles
+  std::vector<uint32_t> places_;
   int threads_;
   Bodies<D, Real> bodies_;
   Boundary<D, Real> boundary_;
-  Vec<D, Real> gravity_;
-  Real drag_;  // 6 pi eta
+  BodyForce<D, Real> body_force_;
   ContactLaw<Real> pair_law_, wall_law_;
-  PairKernel<D, Real> pair_kernel_;
-  WallKernel<D, Real> wall_kernel_ = nullptr;
+  ContactKernel<D, Real> pair_kernel_, wall_kernel_;
   MotionKernel<D, Real> motion_kernel_;
 
   ContactSearch search_;
   std::vector<double> staged_centers_, staged_radii_;  // in double for the library (float state only)
   PairView pairs_;
-  std::vector<PairEffort<D, Real>> efforts_;         // several threads
+  std::vector<PairForce<D, Real>> pair_forces_;      // several threads
   std::vector<std::vector<hg_pair>> walls_of_part_;  // by thread
   std::vector<hg_pair> wall_contacts_;
-  ContactMemory<D, Real> pair_memory_, wall_memory_;
+  ContactHistory<D, Real> pair_history_, wall_history_;
 
   uint64_t steps_ = 0;
   double last_drift_ = 0;  // time between the present forces and those before

@@ -1,34 +1,26 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Looking at a simulation, saving and restoring it.
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "dem/engine/measure.hpp"
 #include "dem/engine/simulation.hpp"
-#include "dem/engine/wall_reach.hpp"
+#include "dem/setup/space_order.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace dem {
 namespace {
 
 template <int D, class Real>
-std::vector<Vec<D, double>> in_double(const Vec<D, Real> *rows, size_t count) {
-  std::vector<Vec<D, double>> result(rows == nullptr ? 0 : count);
-  for (size_t k = 0; k < result.size(); k++) result[k] = rows[k].template cast<double>();
-  return result;
-}
-
-// Brings rows back from the order of the arrays.
-void undo_order(std::vector<double> &rows, const std::vector<uint32_t> &order) {
-  if (rows.empty()) return;
-  const size_t width = rows.size() / order.size();
-  std::vector<double> result(rows.size());
-  for (size_t k = 0; k < order.size(); k++) {
-    std::copy_n(&rows[k * width], width, &result[order[k] * width]);
+ContactState<D> state_of(PairView contacts, ContactHistory<D, Real> &history) {
+  ContactState<D> state{contacts, {}};
+  const auto all_rows = history.rows();
+  for (size_t k = 0; k < kHistoryCount; k++) {
+    const Vec<D, Real> *rows = all_rows[k];
+    if (rows == nullptr) continue;
+    for (size_t p = 0; p < contacts.size(); p++) state.history[k].push_back(rows[p].template cast<double>());
   }
-  rows.swap(result);
+  return state;
 }
 
 // What decides the course of a simulation besides its state.
@@ -36,18 +28,6 @@ struct Fingerprint {
   uint64_t dimension, precision, effects, count;
   double time_step;
 };
-
-// The arrays of a checkpoint: what is written and what is read is one list.
-template <class SomeBodies, class Visit>
-void visit_arrays(SomeBodies &bodies, Visit visit) {
-  visit("position", bodies.position);
-  visit("velocity", bodies.velocity);
-  visit("force", bodies.force);
-  visit("radius", bodies.radius);
-  visit("inverse mass", bodies.inverse_mass);
-  visit("spin", bodies.spin);
-  visit("torque", bodies.torque);
-}
 
 }  // namespace
 
@@ -61,14 +41,9 @@ Snapshot Simulation<D, Real>::state_now() {
   Snapshot state;
   state.dimension = D;
   state.time = time();
-  const size_t count = bodies_.count();
-  for (size_t i = 0; i < count; i++) {
-    Vec<D, Real> acceleration = bodies_.force[i] * bodies_.inverse_mass[i];
-    if (has(setup_.effects, kGravity) && bodies_.inverse_mass[i] > 0) acceleration += gravity_;
-    if (has(setup_.effects, kDrag)) {
-      acceleration -= drag_ * bodies_.radius[i] * bodies_.inverse_mass[i] * bodies_.velocity[i];
-    }
-    const Vec<D, Real> v = bodies_.velocity[i] + kick * acceleration;
+  const AccelerationKernel<D, Real> acceleration = find_acceleration<D, Real>(setup_.effects);
+  for (size_t i = 0; i < bodies_.count(); i++) {
+    const Vec<D, Real> v = bodies_.velocity[i] + kick * acceleration(bodies_, body_force_, i);
     const Vec<D, Real> x = bodies_.position[i] - lead * v;
     state.centers.insert(state.centers.end(), x.data(), x.data() + D);
     state.velocities.insert(state.velocities.end(), v.data(), v.data() + D);
@@ -85,16 +60,14 @@ Snapshot Simulation<D, Real>::state_now() {
 template <int D, class Real>
 Snapshot Simulation<D, Real>::snapshot() {
   Snapshot state = state_now();
-  for (auto *rows : {&state.centers, &state.velocities, &state.radii, &state.masses, &state.spins}) {
-    undo_order(*rows, order_);
-  }
+  reorder(state, places_);
   for (size_t i = 0; i < state.radii.size(); i++) {
-    for (size_t k = 0; k < D; k++) {
-      if (!setup_.periodic[k]) continue;
-      double &x = state.centers[i * D + k];
-      const double low = setup_.box_min[k], length = setup_.box_max[k] - low;
+    for (size_t axis = 0; axis < D; axis++) {
+      if (!setup_.periodic[axis]) continue;
+      double &x = state.centers[i * D + axis];
+      const double low = setup_.box_min[axis], length = setup_.box_max[axis] - low;
       x -= length * std::floor((x - low) / length);
-      if (!(x < setup_.box_max[k])) x = low;  // a tiny negative distance rounds to a whole length
+      if (!(x < setup_.box_max[axis])) x = low;  // a tiny negative distance rounds to a whole length
     }
   }
   return state;
@@ -105,27 +78,20 @@ Measurement Simulation<D, Real>::measure() {
   const Snapshot state = state_now();
   Boundary<D, double> boundary = make_boundary<D, double>(setup_);
   boundary.offset = image_offset();
-  ContactState<D> contacts;
-  std::vector<hg_pair> walls = wall_contacts_;
   if (setup_.scheme.shared_drift == 0) {
     find_pairs();
-    contacts.pairs = pairs_;
-    contacts.pair_slip = in_double<D, Real>(pair_memory_.slip(), pairs_.size());
-    contacts.pair_roll = in_double<D, Real>(pair_memory_.roll(), pairs_.size());
-    contacts.wall_slip = in_double<D, Real>(wall_memory_.slip(), walls.size());
-    contacts.wall_roll = in_double<D, Real>(wall_memory_.roll(), walls.size());
-  } else {
-    // Positions are ahead of the step: its contacts are others than those of the forces.
-    contacts.pairs = search_.find(state.centers.data(), nullptr, image_offset());
-    pairs_known_ = false;
-    const WallReach<D, double> reach(boundary, wall_range());
-    walls.clear();
-    for (size_t i = 0; i < state.radii.size(); i++) {
-      reach.list(Eigen::Map<const Vec<D, double>>(&state.centers[i * D]), state.radii[i], i, walls);
-    }
+    return measure_state<D>(setup_, boundary, state, state_of<D>(pairs_, pair_history_),
+                            state_of<D>(walls(), wall_history_));
   }
-  contacts.walls = {walls.data(), walls.size()};
-  return measure_state<D>(setup_, boundary, state, contacts);
+  // Positions are ahead of the step: its contacts are others than those of the forces, and remember nothing.
+  pairs_known_ = false;
+  const PairView pairs = search_.find(state.centers.data(), nullptr, image_offset());
+  std::vector<hg_pair> listed;
+  const WallReach<D, double> reach(boundary, wall_range());
+  for (size_t i = 0; i < state.radii.size(); i++) {
+    reach.list(vector_at<Vec<D, double>>(state.centers, i), state.radii[i], i, listed);
+  }
+  return measure_state<D>(setup_, boundary, state, {pairs, {}}, {{listed.data(), listed.size()}, {}});
 }
 
 template <int D, class Real>
@@ -135,8 +101,8 @@ void Simulation<D, Real>::save(Checkpoint &checkpoint) const {
   checkpoint.put_value("forces known", static_cast<uint64_t>(forces_known_));
   checkpoint.put_value("last drift", last_drift_);
   visit_arrays(bodies_, [&](const char *name, const auto &array) { checkpoint.put(name, array); });
-  pair_memory_.save("pair", checkpoint);
-  wall_memory_.save("wall", checkpoint);
+  pair_history_.save("pair", checkpoint);
+  wall_history_.save("wall", checkpoint);
 }
 
 template <int D, class Real>
@@ -163,8 +129,8 @@ void Simulation<D, Real>::restore(const Checkpoint &checkpoint) {
   forces_known_ = checkpoint.get_value<uint64_t>("forces known") != 0;
   last_drift_ = checkpoint.get_value<double>("last drift");
   visit_arrays(bodies_, [&](const char *name, auto &array) { checkpoint.get(name, array); });
-  pair_memory_.restore("pair", checkpoint);
-  wall_memory_.restore("wall", checkpoint);
+  pair_history_.restore("pair", checkpoint);
+  wall_history_.restore("wall", checkpoint);
   list_wall_contacts();
   radii_new_ = true;
   pairs_known_ = false;

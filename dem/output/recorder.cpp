@@ -3,7 +3,7 @@
 // The files of a run.
 #include "dem/output/recorder.hpp"
 
-#include "dem/engine/checkpoint.hpp"
+#include "dem/state/checkpoint.hpp"
 #include "dem/output/picture.hpp"
 #include "particles/error.hpp"
 #include "particles/files/writer.hpp"

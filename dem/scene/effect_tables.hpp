@@ -3,8 +3,8 @@
 // The tables of a scene that switch effects on, and the contact law.
 #pragma once
 
-#include "dem/engine/setup.hpp"
 #include "dem/scene/table.hpp"
+#include "dem/setup/setup.hpp"
 
 namespace scene {
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Every table and key a scene can have, with what it means: what is read, refused and printed comes from here.
+// Every table and key a scene can have, with what it means: what is read, refused and printed comes from here, and for
+// effects from their own table.
 #pragma once
 
 #include "dem/scene/units.hpp"
@@ -24,7 +25,7 @@ struct Key {
 
 struct TableDoc {
   const char *name;
-  const char *meaning;
+  std::string meaning;
 };
 
 const std::vector<TableDoc> &all_tables();

@@ -3,7 +3,8 @@
 // The particles of a scene: masses and first motion of each group.
 #include "dem/scene/particles.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
+#include "dem/base/vector.hpp"
 #include "dem/scene/sources.hpp"
 #include "packing/random.hpp"
 
@@ -13,7 +14,7 @@
 namespace scene {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+using dem::kPi;
 
 double volume(double radius, int dimension) {
   return dimension == 2 ? kPi * radius * radius : 4 * kPi / 3 * radius * radius * radius;
@@ -36,14 +37,14 @@ void heat(const Table &table, double temperature, size_t first, dem::Setup &setu
   for (size_t i = first; i < setup.count(); i++) {
     const double speed = std::sqrt(temperature / setup.masses[i]);
     mass += setup.masses[i];
-    for (size_t k = 0; k < dimension; k++) {
+    for (size_t axis = 0; axis < dimension; axis++) {
       const double v = speed * random.normal();
-      setup.velocities[i * dimension + k] += v;
-      momentum[k] += setup.masses[i] * v;
+      setup.velocities[i * dimension + axis] += v;
+      momentum[axis] += setup.masses[i] * v;
     }
   }
   for (size_t i = first; i < setup.count(); i++) {
-    for (size_t k = 0; k < dimension; k++) setup.velocities[i * dimension + k] -= momentum[k] / mass;
+    for (size_t axis = 0; axis < dimension; axis++) setup.velocities[i * dimension + axis] -= momentum[axis] / mass;
   }
 }
 

@@ -3,8 +3,8 @@
 // The particles of a scene: groups from packings, files, lattices and lists.
 #pragma once
 
-#include "dem/engine/setup.hpp"
 #include "dem/scene/table.hpp"
+#include "dem/setup/setup.hpp"
 #include "particles/particle_set.hpp"
 
 #include <string>

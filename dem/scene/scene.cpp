@@ -3,11 +3,11 @@
 // Reads a scene: its tables in the order in which they depend on each other.
 #include "dem/scene/scene.hpp"
 
-#include "dem/engine/error.hpp"
-#include "dem/engine/time_step.hpp"
+#include "dem/base/error.hpp"
 #include "dem/scene/effect_tables.hpp"
 #include "dem/scene/particles.hpp"
 #include "dem/scene/table.hpp"
+#include "dem/setup/time_step.hpp"
 #include "particles/files/format.hpp"
 #include "particles/text/lists.hpp"
 
@@ -27,8 +27,8 @@ void read_box(const Table &top, const std::vector<particles::ParticleSet> &sourc
     const std::vector<double> low = box->vector("min", dimension, 0), high = box->vector("max", dimension);
     std::copy(low.begin(), low.end(), setup.box_min);
     std::copy(high.begin(), high.end(), setup.box_max);
-    for (size_t k = 0; k < dimension; k++) {
-      if (!(high[k] > low[k])) box->fail("max", dem::text(high[k]) + " is not above " + dem::text(low[k]));
+    for (size_t axis = 0; axis < dimension; axis++) {
+      if (!(high[axis] > low[axis])) box->fail("max", dem::text(high[axis]) + " is not above " + dem::text(low[axis]));
     }
   } else {
     const auto boxed =
@@ -42,11 +42,11 @@ void read_box(const Table &top, const std::vector<particles::ParticleSet> &sourc
   if (!bounded && has(setup.effects, dem::kPeriodic)) top.fail("periodic", "periodic axes need a [box]");
   if (box && box->has("walls")) {
     box->axes("walls", setup.dimension, setup.walled);
-    for (size_t k = 0; k < dimension; k++) {
-      if (setup.walled[k] && setup.periodic[k]) box->fail("walls", "a periodic axis has no walls");
+    for (size_t axis = 0; axis < dimension; axis++) {
+      if (setup.walled[axis] && setup.periodic[axis]) box->fail("walls", "a periodic axis has no walls");
     }
   } else {
-    for (size_t k = 0; k < dimension; k++) setup.walled[k] = bounded && !setup.periodic[k];
+    for (size_t axis = 0; axis < dimension; axis++) setup.walled[axis] = bounded && !setup.periodic[axis];
   }
   if (setup.walled[0] || setup.walled[1] || setup.walled[2]) setup.effects |= dem::kWalls;
 }

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dem/engine/engine.hpp"
-#include "dem/engine/setup.hpp"
+#include "dem/setup/setup.hpp"
 
 #include <cstdint>
 #include <string>

@@ -3,7 +3,7 @@
 // The scenes of a folder.
 #include "dem/scene/shipped.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "dem/scene/table.hpp"
 
 #include <algorithm>

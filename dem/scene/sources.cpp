@@ -3,6 +3,7 @@
 // Where the particles of a group come from.
 #include "dem/scene/sources.hpp"
 
+#include "dem/base/error.hpp"
 #include "packing/event/grown_packing.hpp"
 #include "packing/packing.hpp"
 #include "packing/random.hpp"

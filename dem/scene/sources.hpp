@@ -3,8 +3,8 @@
 // Where the particles of a group come from.
 #pragma once
 
-#include "dem/engine/setup.hpp"
 #include "dem/scene/table.hpp"
+#include "dem/setup/setup.hpp"
 #include "particles/particle_set.hpp"
 
 #include <string>

@@ -3,7 +3,7 @@
 // The tables of a scene file: typed values, faults named by file and line.
 #include "dem/scene/table.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "dem/scene/suggestion.hpp"
 
 #include <algorithm>
@@ -180,14 +180,15 @@ std::vector<std::string> Table::choices(const char *key, const std::vector<std::
 }
 
 void Table::axes(const char *key, int dimension, bool (&flags)[3]) const {
+  need(key);
   for (bool &flag : flags) flag = false;
   const std::string letters = text(key, "");
   for (const char letter : letters) {
-    const int k = letter - 'x';
-    if (k < 0 || k >= dimension || flags[k]) {
+    const int axis = letter - 'x';
+    if (axis < 0 || axis >= dimension || flags[axis]) {
       fail(key, "'" + letters + "' does not name axes of " + std::to_string(dimension) + " dimensions, each once");
     }
-    flags[k] = true;
+    flags[axis] = true;
   }
 }
 

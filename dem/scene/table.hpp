@@ -36,7 +36,7 @@ class Table {
   // One of several words.
   std::string choice(const char *key, const std::vector<std::string> &words) const;  // the first is the fallback
   std::vector<std::string> choices(const char *key, const std::vector<std::string> &words) const;
-  // Letters of axes, each once.
+  // Letters of axes, each once; the key is needed.
   void axes(const char *key, int dimension, bool (&flags)[3]) const;
 
   std::optional<Table> part(const char *name) const;

@@ -3,7 +3,7 @@
 // Numbers with units, turned to SI.
 #include "dem/scene/units.hpp"
 
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "dem/scene/suggestion.hpp"
 
 #include <charconv>

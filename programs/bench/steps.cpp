@@ -5,9 +5,11 @@
 // EFFECTS are names with commas, or "none". EDGE^3 equal spheres stand on a cubic lattice, pressed together a little,
 // so that each touches six others, and swing; a third of them would do for a fluid. It prints the bytes of state per
 // particle, the time, and a checksum of the final state. Built twice: with all effects, and with the others left out.
+#include "dem/base/error.hpp"
+#include "dem/effects/table.hpp"
 #include "dem/engine/engine.hpp"
-#include "dem/engine/error.hpp"
-#include "dem/engine/time_step.hpp"
+#include "dem/base/error.hpp"
+#include "dem/setup/time_step.hpp"
 #include "programs/measure/timing.hpp"
 
 #include <cstdint>
@@ -18,34 +20,14 @@
 
 namespace {
 
-const struct {
-  const char *name;
-  dem::EffectSet effects;
-} kChoices[] = {{"none", 0},
-                {"dissipation", dem::kDissipation},
-                {"friction", dem::kFriction},
-                {"rolling", dem::kRolling},
-                {"adhesion", dem::kAdhesion},
-                {"hertz", dem::kHertz},
-                {"periodic", dem::kPeriodic},
-                {"shear", dem::kShear},
-                {"walls", dem::kWalls},
-                {"gravity", dem::kGravity},
-                {"drag", dem::kDrag},
-                {"growth", dem::kGrowth}};
-
 dem::EffectSet effects_of(const std::string &names) {
   dem::EffectSet effects = 0;
   for (size_t first = 0; first <= names.size();) {
     const size_t end = std::min(names.find(',', first), names.size());
     const std::string name = names.substr(first, end - first);
-    bool known = false;
-    for (const auto &choice : kChoices) {
-      if (name != choice.name) continue;
-      effects |= choice.effects;
-      known = true;
-    }
-    if (!known) throw dem::Error("no effect is called '" + name + "'");
+    const dem::EffectRow *row = dem::effect_of_name(name);
+    if (row == nullptr && name != "none") throw dem::Error("no effect is called '" + name + "'");
+    if (row != nullptr) effects |= row->effect;
     first = end + 1;
   }
   return effects;

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "dem/engine/engine.hpp"
-#include "dem/engine/setup.hpp"
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/setup.hpp"
+#include "dem/setup/time_step.hpp"
 
 #include <cmath>
 #include <vector>

@@ -15,7 +15,7 @@
 // written; what goes on from it must end with the same bits.
 //
 // Exit code 1 if energy or momentum stray further than chance explains, or a bit differs.
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "tests/dem/gas.hpp"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Each effect against its formula, its absence, and what does not go together.
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
+#include "dem/effects/table.hpp"
 #include "tests/dem/gas.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 
@@ -199,11 +200,11 @@ bool mentions(const std::string &text, const char *word) { return text.find(word
 
 void impossible_combinations_are_named(void **) {
   dem::Setup setup = walled_gas(dem::kRolling);
-  assert_true(mentions(error_of(setup), "rolling resistance needs friction"));
+  assert_true(mentions(error_of(setup), "rolling needs [friction]"));
   setup = walled_gas(0);
   setup.effects |= dem::kAdhesion | dem::kHertz;
   setup.contact.young_modulus = 1e5;
-  assert_true(mentions(error_of(setup), "does not go together with hertz"));
+  assert_true(mentions(error_of(setup), "adhesion does not go together with [hertz]"));
   setup = walled_gas(dem::kFriction);
   setup.scheme = dem::forest_ruth();
   assert_true(mentions(error_of(setup), "forest-ruth"));

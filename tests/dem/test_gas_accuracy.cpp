@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Gases: energy against time steps as kinetic theory has it, the state in float, the skin.
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 #include "programs/accuracy/simulation/gas_energy.hpp"
 #include "programs/accuracy/simulation/state_errors.hpp"
 #include "programs/accuracy/simulation/studies.hpp"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The hard cases of docs/evidence/robustness.md that are the simulation's: faces, images, walls, extreme masses, many
 // contacts.
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
+#include "dem/effects/table.hpp"
 #include "tests/dem/gas.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 

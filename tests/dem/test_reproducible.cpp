@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The same bits: for any number of threads, any skin, whoever looks, and through a checkpoint.
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
 #include "tests/dem/gas.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Scene files: what they mean, and what is refused with which words.
-#include "dem/engine/error.hpp"
+#include "dem/base/error.hpp"
+#include "dem/effects/table.hpp"
+#include "dem/scene/keys.hpp"
 #include "dem/scene/scene.hpp"
 #include "dem/scene/suggestion.hpp"
 #include "dem/scene/units.hpp"
@@ -95,6 +97,53 @@ void what_does_not_go_together_is_refused(void **) {
   assert_true(is_refused(basic + "[hertz]\nyoung_modulus = 1\npoisson_ratio = 0.3\n", ":9: hertz: stands instead"));
   assert_true(is_refused(basic + "[shear]\nrate = 1\n", ":9: shear: needs the periodic axes"));
   assert_true(is_refused(basic + "[periodic]\naxes = \"x\"\n", ":9: periodic: periodic axes need a [box]"));
+}
+
+// The table of an effect, one key a line; `changed` has another value, or is left out if that is empty.
+std::string table_of(dem::Effect effect, const std::string &changed = "", const std::string &value = "") {
+  std::string text = std::string("[") + dem::name_of(effect) + "]\n";
+  for (const dem::Parameter &p : dem::kParameters) {
+    if (p.effect != effect || (p.key == changed && value.empty())) continue;
+    const bool vector = std::holds_alternative<double(dem::Physics::*)[3]>(p.place);
+    const bool axes = std::holds_alternative<bool(dem::Physics::*)[3]>(p.place);
+    text += std::string(p.key) + " = " +
+            (p.key == changed ? value
+             : vector         ? "[0, 0, 1]"
+             : axes           ? "\"xy\""
+                              : "0.5") +
+            "\n";
+  }
+  return text;
+}
+
+// A scene of an effect and all that it needs, its own table from line 8 on.
+std::string scene_of(const dem::EffectRow &row, const std::string &table) {
+  std::string text =
+      "[[particles]]\nat = [[0, 0, 0], [3, 0, 0]]\nradius = 1\n[time]\nsteps = 10\n[box]\nmax = [9, 9, 9]\n" + table;
+  if (row.effect != dem::kHertz) text += "[contact]\nstiffness = 1e4\n";
+  for (const dem::EffectRow &other : dem::kEffects) text += has(row.needs, other.effect) ? table_of(other.effect) : "";
+  return text;
+}
+
+// A number out of its range or of no kind, or a key that is left out, is refused at its line.
+bool faults_are_named(const dem::EffectRow &row) {
+  bool good = error_of(scene_of(row, table_of(row.effect))) == "nothing was refused";
+  int line = 8;
+  for (const dem::Parameter &p : dem::kParameters) {
+    if (p.effect != row.effect) continue;
+    const std::string place = ":" + std::to_string(++line) + ": " + row.name + "." + p.key;
+    const auto refused = [&](const char *value, const std::string &start, const char *part) {
+      return is_refused(scene_of(row, table_of(row.effect, p.key, value)), start, part);
+    };
+    good = good && refused("true", place + " is true or false", "wanted");
+    if (std::isfinite(p.range.low)) good = good && refused("-7", place + ": lies ", ", not at -7");
+    if (p.needed()) good = good && refused("", ":8: [" + std::string(row.name) + "] needs the key", p.meaning);
+  }
+  return good && line > 8;
+}
+
+void faults_of_every_effect_are_named(void **) {
+  for (const dem::EffectRow &row : dem::kEffects) assert_true(row.meaning == nullptr || faults_are_named(row));
 }
 
 void too_large_a_step_is_refused_with_its_line(void **) {
@@ -209,6 +258,7 @@ int main() {
       cmocka_unit_test(missing_keys_are_named),
       cmocka_unit_test(wrong_values_are_named),
       cmocka_unit_test(what_does_not_go_together_is_refused),
+      cmocka_unit_test(faults_of_every_effect_are_named),
       cmocka_unit_test(too_large_a_step_is_refused_with_its_line),
       cmocka_unit_test(units_are_turned_to_si),
       cmocka_unit_test(wrong_units_are_refused),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic axes and Lees-Edwards shear: pairs across the faces against all images, and a sheared gas against a box of
 // images in open space.
-#include "dem/engine/contact_search.hpp"
+#include "dem/state/contact_search.hpp"
 #include "tests/dem/gas.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "programs/accuracy/report/convergence_table.hpp"
 
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 #include "particles/text/formatted.hpp"
 #include "programs/accuracy/report/pareto_front.hpp"
 #include "programs/accuracy/simulation/error_curves.hpp"

@@ -4,7 +4,7 @@
 // within a step at which it begins. Relative errors, but for e.
 #pragma once
 
-#include "dem/engine/scheme.hpp"
+#include "dem/setup/scheme.hpp"
 #include "programs/accuracy/simulation/power_law.hpp"
 
 namespace accuracy {

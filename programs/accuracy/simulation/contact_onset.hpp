@@ -3,7 +3,7 @@
 // What the onset of a contact, where the force has a corner, does to a scheme, to leading order in the time step h.
 #pragma once
 
-#include "dem/engine/scheme.hpp"
+#include "dem/setup/scheme.hpp"
 
 namespace accuracy {
 

@@ -3,7 +3,7 @@
 #include "programs/accuracy/simulation/elastic_gas.hpp"
 
 #include "dem/engine/engine.hpp"
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 #include "packing/random.hpp"
 #include "programs/accuracy/simulation/oscillator.hpp"
 

@@ -3,7 +3,7 @@
 // An elastic gas of spheres of radius 1 to measure on.
 #pragma once
 
-#include "dem/engine/setup.hpp"
+#include "dem/setup/setup.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 // The errors of an integration scheme against the steps per contact, and the laws that they are expected to follow.
 #pragma once
 
-#include "dem/engine/scheme.hpp"
+#include "dem/setup/scheme.hpp"
 #include "programs/accuracy/simulation/power_law.hpp"
 
 #include <string>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "programs/accuracy/simulation/gas_energy.hpp"
 
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 #include "programs/accuracy/simulation/collision_laws.hpp"
 #include "programs/accuracy/simulation/oscillator.hpp"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "programs/accuracy/simulation/single_collision.hpp"
 
-#include "dem/engine/error.hpp"
-#include "dem/engine/time_step.hpp"
+#include "dem/base/error.hpp"
+#include "dem/setup/time_step.hpp"
 #include "packing/random.hpp"
 #include "programs/accuracy/simulation/oscillator.hpp"
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "dem/engine/engine.hpp"
-#include "dem/engine/time_step.hpp"
+#include "dem/setup/time_step.hpp"
 #include "programs/measure/statistics.hpp"
 #include "programs/measure/timing.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The paper's program in short: its search in each step, linear springs, velocity Verlet, scalar code throughout.
-#include "dem/engine/space_order.hpp"
+#include "dem/setup/space_order.hpp"
 #include "programs/bench/dem/stepper.hpp"
 #include "programs/bench/plain_searches.hpp"
 #include "programs/measure/timing.hpp"

@@ -3,8 +3,9 @@
 // From a scene to a state in which particles touch as they do in the long run.
 #include "programs/bench/dem/settled.hpp"
 
+#include "dem/base/error.hpp"
+#include "dem/effects/table.hpp"
 #include "dem/engine/engine.hpp"
-#include "dem/engine/error.hpp"
 #include "dem/scene/scene.hpp"
 #include "programs/bench/child.hpp"
 #include "programs/bench/hierarchical_grid.hpp"

@@ -3,7 +3,7 @@
 // The system that whole steps are measured on: a scene after a few collisions per particle.
 #pragma once
 
-#include "dem/engine/setup.hpp"
+#include "dem/setup/setup.hpp"
 #include "programs/bench/dem/stepper.hpp"
 
 #include <cstdint>

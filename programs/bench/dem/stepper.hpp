@@ -4,7 +4,7 @@
 // results.
 #pragma once
 
-#include "dem/engine/setup.hpp"
+#include "dem/setup/setup.hpp"
 #include "programs/bench/search.hpp"
 
 #include <cstdint>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // `hgrid run`: simulates a scene.
+#include "dem/effects/table.hpp"
 #include "dem/engine/engine.hpp"
 #include "dem/output/recorder.hpp"
 #include "dem/scene/scene.hpp"

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What forces are computed with: vectors of two or three components; spins, a vector in three dimensions and one number
+// in two; pi.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace dem {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// Without alignment, so that an array of them is the [count][D] array that the library takes.
+template <int D, class Real>
+using Vec = Eigen::Matrix<Real, D, 1, Eigen::DontAlign>;
+
+template <int D, class Real>
+using Spin = Eigen::Matrix<Real, D == 3 ? 3 : 1, 1, Eigen::DontAlign>;
+
+// Vector i of those that stand in a row.
+template <class Vector>
+Eigen::Map<const Vector> vector_at(const std::vector<double> &numbers, size_t i) {
+  return Eigen::Map<const Vector>(&numbers[i * Vector::RowsAtCompileTime]);
+}
+
+// spin x arm: the velocity of a point of a body at `arm` from its centre.
+template <int D, class Real>
+Vec<D, Real> turn(const Spin<D, Real> &spin, const Vec<D, Real> &arm) {
+  if constexpr (D == 3) {
+    return {spin[1] * arm[2] - spin[2] * arm[1], spin[2] * arm[0] - spin[0] * arm[2],
+            spin[0] * arm[1] - spin[1] * arm[0]};
+  } else {
+    return {-spin[0] * arm[1], spin[0] * arm[0]};
+  }
+}
+
+// arm x force: the torque of a force that acts at `arm` from the centre.
+template <int D, class Real>
+Spin<D, Real> moment(const Vec<D, Real> &arm, const Vec<D, Real> &force) {
+  if constexpr (D == 3) {
+    return turn<3, Real>(arm, force);
+  } else {
+    return Spin<D, Real>(arm[0] * force[1] - arm[1] * force[0]);
+  }
+}
+
+}  // namespace dem

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Forces of the box's walls on the particles that reach them.
+#include "dem/effects/choice.hpp"
+#include "dem/kernels/contact_kernel.hpp"
+
+namespace dem {
+namespace {
+
+template <EffectSet E, int D, class Real>
+void wall_force(const ContactTask<D, Real> &task, size_t p) {
+  Bodies<D, Real> &bodies = *task.bodies;
+  const int32_t wall = task.contacts[p].b;
+  const auto i = static_cast<size_t>(task.contacts[p].a);
+  Contact<D, Real> contact;
+  contact.normal = Vec<D, Real>::Zero();
+  contact.normal[axis_of(wall)] = is_upper(wall) ? Real(1) : Real(-1);
+  contact.overlap = wall_overlap(*task.boundary, bodies.position[i][axis_of(wall)], bodies.radius[i], wall);
+  if constexpr (has(E, kNeedMass)) contact.inverse_mass = bodies.inverse_mass[i];
+  if constexpr (has(E, kNeedRadius)) contact.inverse_radius = 1 / bodies.radius[i];
+  if constexpr (has(E, kNeedVelocity)) contact.velocity = bodies.velocity[i];
+  [[maybe_unused]] const Real arm = bodies.radius[i] - contact.overlap;
+  if constexpr (has(E, kFriction)) contact.turning = arm * bodies.spin[i];
+  if constexpr (has(E, kRolling)) contact.spin = bodies.spin[i];
+  const ContactForce<D, Real> on_body = contact_force<E>(*task.law, contact, task.history, p);
+  bodies.force[i] += on_body.force;
+  if constexpr (has(E, kFriction)) bodies.torque[i] += arm * on_body.moment;
+  if constexpr (has(E, kRolling)) bodies.torque[i] += on_body.rolling;
+}
+
+template <EffectSet E, int D, class Real>
+void wall_forces(const ContactTask<D, Real> &task, size_t first, size_t last) {
+  for (size_t p = first; p < last; p++) wall_force<E>(task, p);
+}
+
+}  // namespace
+
+template <int D, class Real>
+ContactKernel<D, Real> find_wall_kernel(EffectSet effects) {
+  return choose<kContactEffects, Real>(effects, [](auto set) { return &wall_forces<decltype(set)::value, D, Real>; });
+}
+
+template ContactKernel<2, double> find_wall_kernel(EffectSet);
+template ContactKernel<3, double> find_wall_kernel(EffectSet);
+template ContactKernel<2, float> find_wall_kernel(EffectSet);
+template ContactKernel<3, float> find_wall_kernel(EffectSet);
+
+}  // namespace dem

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// An order of particles in which neighbours in space are neighbours in memory.
+#pragma once
+
+#include "dem/setup/setup.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace dem {
+
+// order[k] is the particle that comes k-th along a Z curve through all centres (Morton 1966).
+std::vector<uint32_t> space_order(const Setup &setup);
+
+// The same setup with its particles in that order.
+Setup reordered(const Setup &setup, const std::vector<uint32_t> &order);
+
+// Particle order[k] comes k-th; the inverse order brings all back.
+void reorder(ParticleArrays &particles, const std::vector<uint32_t> &order);
+std::vector<uint32_t> inverse(const std::vector<uint32_t> &order);
+
+}  // namespace dem
