@@ -3,8 +3,8 @@
 // The files of a run.
 #include "dem/output/recorder.hpp"
 
-#include "dem/state/checkpoint.hpp"
 #include "dem/output/picture.hpp"
+#include "dem/state/checkpoint.hpp"
 #include "particles/error.hpp"
 #include "particles/files/writer.hpp"
 

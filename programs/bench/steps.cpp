@@ -8,7 +8,6 @@
 #include "dem/base/error.hpp"
 #include "dem/effects/table.hpp"
 #include "dem/engine/engine.hpp"
-#include "dem/base/error.hpp"
 #include "dem/setup/time_step.hpp"
 #include "programs/measure/timing.hpp"
 
