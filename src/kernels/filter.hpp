@@ -31,7 +31,7 @@ class Filter {
 
  private:
   void piece(const hg_pair *pairs, size_t count) {
-    points_from_ = stream_->output->next;
+    points_from_ = stream_->output.next;
     const size_t whole = count / kLanes * kLanes;
     for (size_t k = 0; k < whole; k += kLanes) test(pairs + k, kLanes);
     if (whole < count) {
@@ -52,12 +52,12 @@ class Filter {
     const uint32_t found = verdict.possible() & here;
     const uint32_t sure = verdict.sure();
     if (__builtin_expect((found & ~sure) != 0, 0)) leave_undecided(pairs, found, found & ~sure);
-    hg_pair *next = stream_->output->next;
+    hg_pair *next = stream_->output.next;
     for (size_t lane = 0; lane < kLanes; lane++) {
       *next = pairs[lane];
       next += found >> lane & 1u;
     }
-    stream_->output->next = next;
+    stream_->output.next = next;
   }
 
   struct Apart {
@@ -98,11 +98,11 @@ class Filter {
     if (stream_->undecided_count + kLanes > kMaxUndecided) {
       points_to_slots();
       stream_->judge.decide(stream_);
-      points_from_ = stream_->output->next;
+      points_from_ = stream_->output.next;
     }
     for (; undecided != 0; undecided &= undecided - 1) {
       const auto lane = static_cast<uint32_t>(__builtin_ctz(undecided));
-      hg_pair *at = stream_->output->next + __builtin_popcount(found & ((1u << lane) - 1u));
+      hg_pair *at = stream_->output.next + __builtin_popcount(found & ((1u << lane) - 1u));
       const auto a = static_cast<uint32_t>(pairs[lane].a), b = static_cast<uint32_t>(pairs[lane].b);
       fetch_ahead(stream_->judge, input_.slot[a]);
       fetch_ahead(stream_->judge, input_.slot[b]);
@@ -114,7 +114,7 @@ class Filter {
   void points_to_slots() {
     const uint32_t *slots = input_.slot;
     const int32_t offset = stream_->judge.id_offset;
-    for (hg_pair *p = points_from_; p < stream_->output->next; p++) {
+    for (hg_pair *p = points_from_; p < stream_->output.next; p++) {
       const auto a = static_cast<int32_t>(slots[p->a]), b = static_cast<int32_t>(slots[p->b]);
       *p = {(a < b ? a : b) + offset, (a < b ? b : a) + offset};
     }

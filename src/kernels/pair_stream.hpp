@@ -13,10 +13,11 @@ namespace hg {
 // Candidates are handed on in pieces of at most this many, so that an output needs room for no more at once.
 inline constexpr uint32_t kMaxPiece = 1024;
 
-// `next` .. `limit` is room for pairs, kPadding of them for writing beyond the end.
+// `next` .. `limit` is room for pairs, kPadding of them for writing beyond the end. Set up by the owner of the room.
 struct PairOutput {
   hg_pair *next;
   hg_pair *limit;
+  void *owner;
   // Makes room for `count` pairs more; false ends the search. No pair is undecided then.
   bool (*make_room)(PairOutput *output, size_t count);
 };
@@ -44,13 +45,13 @@ struct PairJudge {
 inline constexpr uint32_t kMaxUndecided = 64;
 
 struct PairStream {
+  PairOutput output;
   PairJudge judge;
-  PairOutput *output;
   uint32_t undecided_count = 0;
   UndecidedPair undecided[kMaxUndecided];  // in the order of the pairs
   int64_t candidate_total = 0, undecided_total = 0, exact_total = 0;
 
-  PairStream(const PairJudge &pair_judge, PairOutput *pair_output) : judge(pair_judge), output(pair_output) {}
+  PairStream(const PairJudge &of_source, const PairOutput &to) : output(to), judge(of_source) {}
 };
 
 }  // namespace hg

@@ -246,7 +246,7 @@ class LevelSearch {
     const F radius = V::set(points_.radius[i]), band_constant = V::set(stream_->judge.band_constant);
     const uint32_t slot = points_.slot[i];
     const int32_t offset = stream_->judge.id_offset;
-    hg_pair *next = stream_->output->next;
+    hg_pair *next = stream_->output.next;
     for (uint32_t j = begin; j < end; j += kLanes) {
       const F dx = V::to_float(V::sub(x, V::load(others.x + j)));
       const F dy = V::to_float(V::sub(y, V::load(others.y + j)));
@@ -263,7 +263,7 @@ class LevelSearch {
       if (__builtin_expect(found != sure, 0)) next = leave_undecided(i, j, found, found ^ sure, next);
       next = V::emit(next, slot, others.slot + j, found, offset);
     }
-    stream_->output->next = next;
+    stream_->output.next = next;
     stream_->candidate_total += end - begin;
   }
 
@@ -274,9 +274,9 @@ class LevelSearch {
   __attribute__((noinline)) hg_pair *leave_undecided(uint32_t i, uint32_t j, uint32_t found, uint32_t undecided,
                                                      hg_pair *next) {
     if (stream_->undecided_count + kLanes > kMaxUndecided) {
-      stream_->output->next = next;
+      stream_->output.next = next;
       stream_->judge.decide(stream_);
-      next = stream_->output->next;
+      next = stream_->output.next;
     }
     const Image image = points_.image != nullptr ? points_.image[i] : kNoImage;
     const uint32_t slot = points_.slot[i];

@@ -10,10 +10,10 @@ namespace {
 
 // False if the output stopped.
 inline bool have_room(PairStream *stream, size_t pairs) {
-  PairOutput *output = stream->output;
-  if (static_cast<size_t>(output->limit - output->next) >= pairs) return true;
+  PairOutput &output = stream->output;
+  if (static_cast<size_t>(output.limit - output.next) >= pairs) return true;
   stream->judge.decide(stream);
-  return output->make_room(output, pairs);
+  return output.make_room(&output, pairs);
 }
 
 // Asks for the caller's numbers of a particle, which the judge will read soon.

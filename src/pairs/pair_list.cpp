@@ -16,28 +16,26 @@ namespace {
 constexpr size_t kChunkPairs = 16384;
 static_assert(kChunkPairs >= kMaxPiece + kPadding, "a piece of candidates must fit into an empty chunk");
 
-// A buffer that grows.
-class GrowingOutput : public PairOutput {
+// Room in a buffer that grows.
+class GrowingRoom {
  public:
-  GrowingOutput(Buffer<hg_pair> &pairs, size_t most) : PairOutput{}, pairs_(pairs), most_(most) {
-    pairs_.grow(kMaxPiece + kPadding);
-    point_to(0);
-    make_room = [](PairOutput *output, size_t more) {
-      auto &self = *static_cast<GrowingOutput *>(output);
-      const size_t used = self.count();
+  GrowingRoom(Buffer<hg_pair> &pairs, size_t most) : pairs_(pairs), most_(most) { pairs_.grow(kMaxPiece + kPadding); }
+
+  PairOutput output() {
+    const auto make_room = [](PairOutput *output, size_t more) {
+      auto &self = *static_cast<GrowingRoom *>(output->owner);
+      const size_t used = self.used(*output);
       if (used > self.most_) return false;
       self.pairs_.grow(used + more);
-      self.point_to(used);
+      output->next = self.pairs_.data() + used;
+      output->limit = self.pairs_.data() + self.pairs_.capacity();
       return true;
     };
+    return {pairs_.data(), pairs_.data() + pairs_.capacity(), this, make_room};
   }
-  size_t count() const { return static_cast<size_t>(next - pairs_.data()); }
+  size_t used(const PairOutput &output) const { return static_cast<size_t>(output.next - pairs_.data()); }
 
  private:
-  void point_to(size_t used) {
-    next = pairs_.data() + used;
-    limit = pairs_.data() + pairs_.capacity();
-  }
   Buffer<hg_pair> &pairs_;
   size_t most_;
 };
@@ -52,14 +50,15 @@ void to_ids(hg_pair *pairs, size_t count, const ParticleStore &store) {
 }
 
 // On cache lines of its own. Fills chunks and notes what lies where.
-struct alignas(128) PairPool::Worker : PairOutput {
-  Worker(PairPool &all, Memory &memory) : PairOutput{}, pool(all), pieces(memory) {
-    make_room = [](PairOutput *output, size_t) { return static_cast<Worker *>(output)->change_chunk(); };
-  }
+struct alignas(128) PairPool::Worker {
+  Worker(PairPool &all, Memory &memory) : pool(all), pieces(memory) {}
 
   void start(const PairSource &source, size_t most_pairs) {
-    stream.emplace(source.judge(), this);
-    first = next = limit = nullptr;
+    const auto make_room = [](PairOutput *output, size_t) {
+      return static_cast<Worker *>(output->owner)->change_chunk();
+    };
+    stream.emplace(source.judge(), PairOutput{nullptr, nullptr, this, make_room});
+    first = nullptr;
     piece_count = pairs = 0;
     most = most_pairs;
   }
@@ -67,27 +66,27 @@ struct alignas(128) PairPool::Worker : PairOutput {
   bool change_chunk() {
     end_piece();
     if (pairs > most) return false;
-    first = next = pool.take_chunk();
-    limit = first + kChunkPairs;
+    first = stream->output.next = pool.take_chunk();
+    stream->output.limit = first + kChunkPairs;
     return true;
   }
 
   void run(const PairSource &source, size_t new_task) {
     task = new_task;
     task_pairs = 0;
-    first = next;
+    first = stream->output.next;
     source.send(task, *stream);
     end_piece();
   }
 
   void end_piece() {
-    const auto count = static_cast<size_t>(next - first);
+    const auto count = static_cast<size_t>(stream->output.next - first);
     if (count == 0) return;
     pieces.grow(piece_count + 1);
     pieces[piece_count++] = {task, task_pairs, count, first};
     task_pairs += count;
     pairs += count;
-    first = next;
+    first = stream->output.next;
   }
 
   PairPool &pool;
@@ -139,11 +138,11 @@ SearchCounts PairList::gather(const PairSource &source, PairPool &pool, size_t p
 
 SearchCounts PairList::gather_alone(const PairSource &source, size_t particles, size_t most) {
   pairs_.grow(particles);
-  GrowingOutput output(pairs_, most);
-  PairStream stream(source.judge(), &output);
+  GrowingRoom room(pairs_, most);
+  PairStream stream(source.judge(), room.output());
   bool go_on = true;
   for (size_t task = 0; go_on && task < source.task_count(); task++) go_on = source.send(task, stream);
-  count_ = output.count();
+  count_ = room.used(stream.output);
   SearchCounts counts;
   counts.add(stream);
   return counts;

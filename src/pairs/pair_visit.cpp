@@ -9,21 +9,25 @@ namespace {
 
 static_assert(kVisitBatch >= kMaxPiece + kPadding, "a piece of candidates must fit into an empty batch");
 
-// A batch that is handed over when it is full.
-class BatchOutput : public PairOutput {
+// Room in a batch that is handed over when it is full.
+class BatchRoom {
  public:
-  BatchOutput(Buffer<hg_pair> &batch, const ParticleStore &particles, hg_pair_visitor *visit, void *context)
-      : PairOutput{}, batch_(batch), particles_(particles), visit_(visit), context_(context) {
+  BatchRoom(Buffer<hg_pair> &batch, const ParticleStore &particles, hg_pair_visitor *visit, void *context)
+      : batch_(batch), particles_(particles), visit_(visit), context_(context) {
     batch_.require(kVisitBatch);
-    next = batch_.data();
-    limit = batch_.data() + kVisitBatch;
-    make_room = [](PairOutput *output, size_t) { return static_cast<BatchOutput *>(output)->flush(); };
+  }
+
+  PairOutput output() {
+    const auto make_room = [](PairOutput *output, size_t) {
+      return static_cast<BatchRoom *>(output->owner)->hand_over(*output);
+    };
+    return {batch_.data(), batch_.data() + kVisitBatch, this, make_room};
   }
 
   // Hands over what has gathered. False once the visitor has had enough.
-  bool flush() {
-    const size_t count = static_cast<size_t>(next - batch_.data());
-    next = batch_.data();
+  bool hand_over(PairOutput &output) {
+    const auto count = static_cast<size_t>(output.next - batch_.data());
+    output.next = batch_.data();
     if (stopped_ || count == 0) return !stopped_;
     visited_ += count;
     to_ids(batch_.data(), count, particles_);
@@ -46,14 +50,14 @@ class BatchOutput : public PairOutput {
 VisitResult visit_source(const PairSource &source, const ParticleStore &store, Memory &memory, hg_pair_visitor *visit,
                          void *context) {
   Buffer<hg_pair> batch(memory);
-  BatchOutput output(batch, store, visit, context);
-  PairStream stream(source.judge(), &output);
+  BatchRoom room(batch, store, visit, context);
+  PairStream stream(source.judge(), room.output());
   bool go_on = true;
   for (size_t task = 0; go_on && task < source.task_count(); task++) go_on = source.send(task, stream);
-  if (go_on) output.flush();
+  if (go_on) room.hand_over(stream.output);
   VisitResult result;
   result.counts.add(stream);
-  result.pairs = output.visited();
+  result.pairs = room.visited();
   return result;
 }
 

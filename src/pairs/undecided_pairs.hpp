@@ -20,7 +20,7 @@ void decide_each(PairStream &stream, Interact &&interact) {
     to = to == nullptr ? pair.at : std::copy(from, pair.at, to);
     from = pair.at + 1;
   }
-  if (to != nullptr) stream.output->next = std::copy(from, stream.output->next, to);
+  if (to != nullptr) stream.output.next = std::copy(from, stream.output.next, to);
   stream.undecided_total += stream.undecided_count;
   stream.undecided_count = 0;
 }

@@ -30,14 +30,14 @@ bool SparseSearch::test(uint32_t i, uint32_t begin, uint32_t end) {
   const Image image = image_of(i);
   const uint32_t name = points_.slot[i];
   const int32_t offset = stream_.judge.id_offset;
-  PairOutput *output = stream_.output;
+  PairOutput &output = stream_.output;
   stream_.candidate_total += end - begin;
   for (uint32_t j = begin; j < end; j++) {
     if (!overlap_.holds(ball, store_.ball(index_.particles.slot[j]), image, stream_.exact_total)) continue;
-    if (output->next == output->limit && !output->make_room(output, 1)) return false;
+    if (output.next == output.limit && !output.make_room(&output, 1)) return false;
     const uint32_t other = particles_.slot[j];
     const uint32_t low = name < other ? name : other, high = name < other ? other : name;
-    *output->next++ = {static_cast<int32_t>(low) + offset, static_cast<int32_t>(high) + offset};
+    *output.next++ = {static_cast<int32_t>(low) + offset, static_cast<int32_t>(high) + offset};
   }
   return true;
 }

@@ -38,20 +38,12 @@ struct RecorderRules {
   };
 };
 
-class Recorder : private hg::PairOutput {
+class Recorder {
  public:
   static constexpr size_t kSlots = 4096;  // that pairs may name
 
   explicit Recorder(RecorderRules rules)
-      : hg::PairOutput{}, rules_(std::move(rules)), room_(kRoom + kGuard, kNothing), stream_(judge(), this) {
-    next = room_.data();
-    limit = room_.data() + kRoom;
-    make_room = [](hg::PairOutput *output, size_t count) {
-      auto *self = static_cast<Recorder *>(output);
-      self->take();
-      return count <= kRoom && self->rules_.rooms-- > 0;
-    };
-  }
+      : rules_(std::move(rules)), room_(kRoom + kGuard, kNothing), stream_(judge(), output()) {}
   Recorder(const Recorder &) = delete;
   Recorder &operator=(const Recorder &) = delete;
 
@@ -84,13 +76,23 @@ class Recorder : private hg::PairOutput {
     return judge;
   }
 
+  hg::PairOutput output() {
+    const auto make_room = [](hg::PairOutput *output, size_t count) {
+      auto *self = static_cast<Recorder *>(output->owner);
+      self->take();
+      return count <= kRoom && self->rules_.rooms-- > 0;
+    };
+    return {room_.data(), room_.data() + kRoom, this, make_room};
+  }
+
   void decide() {
     for (uint32_t n = 0; n < stream_.undecided_count; n++) {
       const hg::UndecidedPair &pair = stream_.undecided[n];
       hg_pair expected = rules_.written(pair);
       expected.a += rules_.id_offset;
       expected.b += rules_.id_offset;
-      in_place_ = in_place_ && pair.at >= room_.data() && pair.at < next && pair_equal(*pair.at, expected);
+      in_place_ =
+          in_place_ && pair.at >= room_.data() && pair.at < stream_.output.next && pair_equal(*pair.at, expected);
       sent_.asked.push_back({static_cast<int32_t>(pair.a), static_cast<int32_t>(pair.b)});
       sent_.images.push_back(pair.image);
     }
@@ -98,10 +100,11 @@ class Recorder : private hg::PairOutput {
   }
 
   void take() {
+    hg_pair *&next = stream_.output.next;
     sent_.pairs.insert(sent_.pairs.end(), room_.data(), next);
-    in_room_ = in_room_ && next <= limit && std::all_of(room_.begin() + kRoom, room_.end(), [](const hg_pair &p) {
-                 return pair_equal(p, kNothing);
-               });
+    in_room_ =
+        in_room_ && next <= stream_.output.limit &&
+        std::all_of(room_.begin() + kRoom, room_.end(), [](const hg_pair &p) { return pair_equal(p, kNothing); });
     next = room_.data();
   }
 
