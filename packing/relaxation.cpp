@@ -73,27 +73,42 @@ void move(const Box &box, const std::vector<double> &steps, particles::ParticleS
   }
 }
 
+// Of the contacts that a grid finds; each adds its push to `step` if that is given.
+Overlaps overlaps_of(const Box &box, const particles::ParticleSet &set, hgrid::View<hg_pair> pairs,
+                     std::vector<double> *step) {
+  Overlaps found;
+  for (const hg_pair &pair : pairs) {
+    const Contact contact = contact_of(box, set, pair);
+    const double relative = contact.overlap / std::min(set.radii[contact.i], set.radii[contact.j]);
+    found.contacts++;
+    found.mean += relative;
+    found.largest = std::max(found.largest, relative);
+    if (step != nullptr) add_push(set, contact, *step);
+  }
+  if (found.contacts > 0) found.mean /= static_cast<double>(found.contacts);
+  return found;
+}
+
+// The number of contacts that anybody counts who reads the packing.
+Overlaps exact_overlaps(const Box &box, const particles::ParticleSet &set) {
+  hg_grid_def def = grid_def(box);
+  def.accuracy = HG_EXACT;
+  hgrid::Grid grid(def);
+  particles::insert(set, grid);
+  return overlaps_of(box, set, grid.query_pairs(), nullptr);
+}
+
 }  // namespace
 
 Overlaps relax(const Box &box, int sweeps, const SweepObserver &observe, particles::ParticleSet &set) {
-  const hg_grid_def def = grid_def(box);
-  hgrid::Grid grid(def);
+  hgrid::Grid grid(grid_def(box));
   particles::insert(set, grid);
   std::vector<double> step(set.centers.size());
   for (int sweep = 0;; sweep++) {
-    Overlaps found;
     std::fill(step.begin(), step.end(), 0.0);
-    for (const hg_pair &pair : grid.query_pairs()) {
-      const Contact contact = contact_of(box, set, pair);
-      const double relative = contact.overlap / std::min(set.radii[contact.i], set.radii[contact.j]);
-      found.contacts++;
-      found.mean += relative;
-      found.largest = std::max(found.largest, relative);
-      add_push(set, contact, step);
-    }
-    if (found.contacts > 0) found.mean /= static_cast<double>(found.contacts);
+    const Overlaps found = overlaps_of(box, set, grid.query_pairs(), &step);
     if (observe) observe(sweep, found);
-    if (sweep == sweeps || found.contacts == 0) return found;
+    if (sweep == sweeps || found.contacts == 0) return exact_overlaps(box, set);
     move(box, step, set);
     grid.move(set.count(), set.centers.data(), set.radii.data());
   }

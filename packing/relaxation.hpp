@@ -20,8 +20,9 @@ struct Overlaps {
 // Told the number of sweeps done and the overlaps found before the next.
 using SweepObserver = std::function<void(int sweeps_done, const Overlaps &overlaps)>;
 
-// Does `sweeps` sweeps, fewer if no overlap is left, and returns the overlaps that remain. Each sweep finds all
-// contacts and then moves both particles of each along the line of centres, the light one farther (masses ~ r^d).
+// Does `sweeps` sweeps, fewer if no overlap is left, and returns the overlaps that remain, decided exactly. Each sweep
+// finds all contacts and then moves both particles of each along the line of centres, the light one farther (masses ~
+// r^d).
 Overlaps relax(const Box &box, int sweeps, const SweepObserver &observe, particles::ParticleSet &set);
 
 }  // namespace packing

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Packings from end to end: density, walls, periodic images, progress of the relaxation, reproducibility, refusals.
+#include "oracle/pairs.hpp"
 #include "packing/packing.hpp"
 #include "particles/error.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -46,25 +48,26 @@ bool inside_walls(const particles::ParticleSet &set) {
   return true;
 }
 
-// The largest overlap over the smaller radius, by comparing all pairs.
+// The overlaps over the smaller radius, of the pairs that the oracle decides exactly.
 packing::Overlaps overlaps_of(const particles::ParticleSet &set) {
-  const size_t d = static_cast<size_t>(set.dimension);
+  hg_grid_def def = hg_default_grid_def();
+  def.dimension = set.dimension;
+  std::copy_n(set.box_min, 3, def.box_min);
+  std::copy_n(set.box_max, 3, def.box_max);
+  std::copy_n(set.periodic, 3, def.periodic);
   packing::Overlaps found;
-  for (size_t i = 0; i < set.count(); i++) {
-    for (size_t j = i + 1; j < set.count(); j++) {
-      double square = 0;
-      for (size_t k = 0; k < d; k++) {
-        double x = set.centers[i * d + k] - set.centers[j * d + k];
-        if (set.periodic[k] != 0) x = std::remainder(x, set.box_max[k]);
-        square += x * x;
-      }
-      const double sum = set.radii[i] + set.radii[j];
-      if (!(square < sum * sum)) continue;
-      const double overlap = (sum - std::sqrt(square)) / std::min(set.radii[i], set.radii[j]);
-      found.contacts++;
-      found.mean += overlap;
-      found.largest = std::max(found.largest, overlap);
+  for (const hg_pair &pair : oracle::all_pairs(def, set, oracle::exact_interact)) {
+    const auto i = static_cast<size_t>(pair.a), j = static_cast<size_t>(pair.b);
+    double square = 0;
+    for (int axis = 0; axis < set.dimension; axis++) {
+      double x = set.center(i)[axis] - set.center(j)[axis];
+      if (set.periodic[axis] != 0) x = std::remainder(x, set.box_max[axis]);
+      square += x * x;
     }
+    const double overlap = (set.radii[i] + set.radii[j] - std::sqrt(square)) / std::min(set.radii[i], set.radii[j]);
+    found.contacts++;
+    found.mean += overlap;
+    found.largest = std::max(found.largest, overlap);
   }
   if (found.contacts > 0) found.mean /= static_cast<double>(found.contacts);
   return found;

@@ -164,7 +164,7 @@ void add_bench(CLI::App &parent) {
   command->add_option("--displacement", options->steps.displacement, "How far the fastest particle moves in a step")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  add_price_options(*command, options->level_price, options->row_price, "", nullptr);
+  add_price_options(*command, options->level_price, options->row_price, "Search", nullptr);
   command->add_option("--csv", options->csv, "Also write the table to this file");
   command->callback([options] { run_bench(*options); });
 }
