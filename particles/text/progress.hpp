@@ -3,6 +3,8 @@
 // A line on standard error that tells how far a long job has come.
 #pragma once
 
+#include "particles/text/status_line.hpp"
+
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -14,9 +16,6 @@ class Progress {
  public:
   // `label` says what is done, `unit` what is counted; total 0 means unknown: no percentage is shown.
   Progress(std::string label, std::string unit, uint64_t total);
-  ~Progress();
-  Progress(const Progress &) = delete;
-  Progress &operator=(const Progress &) = delete;
 
   // Cheap enough to be called every few thousand items.
   void update(uint64_t done);
@@ -25,8 +24,7 @@ class Progress {
  private:
   std::string label_, unit_;
   uint64_t total_;
-  bool terminal_;
-  bool shown_ = false;
+  StatusLine line_;
   std::chrono::steady_clock::time_point next_;
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "packing/event/growth.hpp"
+#include "particles/text/status_line.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -13,10 +14,7 @@ namespace command {
 // Silent unless standard error is a terminal. The line is wiped at the end.
 class GrowthLine {
  public:
-  GrowthLine();
-  ~GrowthLine();
-  GrowthLine(const GrowthLine &) = delete;
-  GrowthLine &operator=(const GrowthLine &) = delete;
+  GrowthLine() { try_.time = last_.time = Clock::now(); }
 
   // Density, events per second, time left.
   void show(const packing::event::GrowthProgress &progress);
@@ -30,8 +28,7 @@ class GrowthLine {
     uint64_t events = 0;
   };
 
-  bool terminal_;
-  bool shown_ = false;
+  particles::StatusLine line_;
   int retries_ = 0;
   Mark try_, last_;
 };

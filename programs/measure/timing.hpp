@@ -11,12 +11,18 @@
 
 namespace measure {
 
+using Clock = std::chrono::steady_clock;
+
+inline double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 // Seconds that a call takes.
 template <class Work>
 double seconds_of(Work &&work) {
-  const auto start = std::chrono::steady_clock::now();
+  const auto start = Clock::now();
   std::forward<Work>(work)();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return seconds_since(start);
 }
 
 // Calls run() of each, round after round over all, so that a slow moment of the machine touches all alike. What has

@@ -5,11 +5,14 @@
 #include "packing/packing.hpp"
 #include "particles/error.hpp"
 #include "particles/files/writer.hpp"
+#include "particles/text/formatted.hpp"
 #include "particles/text/lists.hpp"
 #include "particles/text/number.hpp"
+#include "particles/text/status_line.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/hgrid/growth_line.hpp"
 #include "programs/hgrid/interrupt.hpp"
+#include "programs/measure/timing.hpp"
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>
@@ -101,27 +104,6 @@ void write_whole(const std::string &path, const particles::Format &format, const
   }
 }
 
-class SweepLine {
- public:
-  explicit SweepLine(int sweeps) : sweeps_(sweeps), terminal_(isatty(STDERR_FILENO) != 0) {}
-  ~SweepLine() {
-    if (terminal_) std::fputs("\r\033[K", stderr);
-  }
-  SweepLine(const SweepLine &) = delete;
-  SweepLine &operator=(const SweepLine &) = delete;
-
-  void show(int done, const packing::Overlaps &overlaps) const {
-    if (!terminal_) return;
-    std::fprintf(stderr, "\r\033[Ksweep %d of %d: %zu contacts, mean overlap %.2f %% of the smaller radius", done,
-                 sweeps_, overlaps.contacts, 100 * overlaps.mean);
-    std::fflush(stderr);
-  }
-
- private:
-  int sweeps_;
-  bool terminal_;
-};
-
 // What is said of a packing goes beside it, not into it.
 std::FILE *summary_file(const PackOptions &options) { return options.output == "-" ? stderr : stdout; }
 
@@ -132,23 +114,21 @@ void print_particles(const PackOptions &options, const particles::ParticleSet &s
                *smallest, *largest, set.box_max[0], density);
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 void relax(const PackOptions &options, const packing::Request &request, const particles::Format &format) {
   const auto start = std::chrono::steady_clock::now();
   packing::Packing packing;
   {
-    const SweepLine line(request.sweeps);
-    packing = packing::make_packing(
-        request, [&line](int done, const packing::Overlaps &overlaps) { line.show(done, overlaps); });
+    particles::StatusLine line;
+    packing = packing::make_packing(request, [&](int done, const packing::Overlaps &overlaps) {
+      line.show(particles::formatted("sweep %d of %d: %zu contacts, mean overlap %.2f %% of the smaller radius", done,
+                                     request.sweeps, overlaps.contacts, 100 * overlaps.mean));
+    });
   }
   write_whole(options.output, format, packing.particles);
   print_particles(options, packing.particles, request.density);
-  std::fprintf(summary_file(options),
-               "%zu contacts, overlap over the smaller radius: mean %.2g, largest %.2g; made in %.1f s\n",
-               packing.overlaps.contacts, packing.overlaps.mean, packing.overlaps.largest, seconds_since(start));
+  std::fprintf(
+      summary_file(options), "%zu contacts, overlap over the smaller radius: mean %.2g, largest %.2g; made in %.1f s\n",
+      packing.overlaps.contacts, packing.overlaps.mean, packing.overlaps.largest, measure::seconds_since(start));
 }
 
 void print_growth(const PackOptions &options, const packing::event::GrowthResult &growth, double seconds) {
@@ -184,7 +164,7 @@ void grow(const PackOptions &options, const packing::Request &request, const par
   }
   write_whole(options.output, format, packing.particles);
   print_particles(options, packing.particles, packing.growth.density);
-  print_growth(options, packing.growth, seconds_since(start));
+  print_growth(options, packing.growth, measure::seconds_since(start));
   report_early_end(options, packing.growth);
 }
 

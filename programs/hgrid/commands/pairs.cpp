@@ -6,6 +6,7 @@
 #include "programs/hgrid/command.hpp"
 #include "programs/hgrid/grid_options.hpp"
 #include "programs/hgrid/particle_options.hpp"
+#include "programs/measure/timing.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -37,16 +38,12 @@ uint64_t take_pairs(hgrid::Grid &grid, particles::Output *out) {
   return count;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 void print_count(hgrid::Grid &grid, size_t particles) {
   const auto start = std::chrono::steady_clock::now();
   grid.build();
-  const double build = seconds_since(start);
+  const double build = measure::seconds_since(start);
   const uint64_t count = take_pairs(grid, nullptr);
-  const double total = seconds_since(start);
+  const double total = measure::seconds_since(start);
 
   const double number = static_cast<double>(particles);
   const double mean = particles > 0 ? 2.0 * static_cast<double>(count) / number : 0.0;

@@ -6,11 +6,13 @@
 #include "dem/output/recorder.hpp"
 #include "dem/scene/scene.hpp"
 #include "particles/error.hpp"
+#include "particles/text/formatted.hpp"
+#include "particles/text/status_line.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/hgrid/interrupt.hpp"
+#include "programs/measure/timing.hpp"
 
 #include <CLI/CLI.hpp>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -35,13 +37,11 @@ struct RunOptions {
   bool quiet = false;
 };
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 // A line about the run as it goes: wiped and rewritten on a terminal, one after the other elsewhere.
 class RunLine {
  public:
   RunLine(uint64_t first, uint64_t last, size_t particles)
-      : first_(first), last_(last), particles_(static_cast<double>(particles)), terminal_(isatty(STDERR_FILENO) != 0) {}
+      : first_(first), last_(last), particles_(static_cast<double>(particles)) {}
 
   // How many steps to do until the next look at the clock: those of about a tenth of a second.
   uint64_t patience() const {
@@ -56,29 +56,27 @@ class RunLine {
   double ns_per_particle_step() const { return done_ > 0 ? 1e9 * seconds_ / (done_ * particles_) : 0; }
   double seconds() const { return seconds_; }
 
-  bool is_due() const { return seconds_since(shown_) > (terminal_ ? 0.5 : 10.0); }
+  bool is_due() const { return measure::seconds_since(shown_) > (line_.is_seen() ? 0.5 : 10.0); }
 
   void show(uint64_t step, const dem::Measurement &m) {
     shown_ = Clock::now();
     const double left = done_ > 0 ? seconds_ / done_ * static_cast<double>(last_ - step) : 0;
-    std::fprintf(
-        stderr,
-        "%sstep %llu of %llu (%.0f %%), time %.6g, energy %.6g, %zu contacts, %.1f ns per particle and step, %.0f s "
-        "left%s",
-        terminal_ ? "\r\033[K" : "", static_cast<unsigned long long>(step), static_cast<unsigned long long>(last_),
+    const std::string text = particles::formatted(
+        "step %llu of %llu (%.0f %%), time %.6g, energy %.6g, %zu contacts, %.1f ns per particle and step, %.0f s left",
+        static_cast<unsigned long long>(step), static_cast<unsigned long long>(last_),
         100.0 * static_cast<double>(step - first_) / static_cast<double>(std::max<uint64_t>(1, last_ - first_)), m.time,
-        m.energy(), m.contacts + m.wall_contacts, ns_per_particle_step(), left, terminal_ ? "" : "\n");
+        m.energy(), m.contacts + m.wall_contacts, ns_per_particle_step(), left);
+    if (line_.is_seen()) return line_.show(text);
+    std::fprintf(stderr, "%s\n", text.c_str());
     std::fflush(stderr);
   }
 
-  void wipe() const {
-    if (terminal_) std::fputs("\r\033[K", stderr);
-  }
+  void wipe() { line_.wipe(); }
 
  private:
   uint64_t first_, last_;
   double particles_, done_ = 0, seconds_ = 0;
-  bool terminal_;
+  particles::StatusLine line_;
   Clock::time_point shown_ = Clock::now();
 };
 
@@ -110,7 +108,7 @@ class Run {
       }
       const Clock::time_point start = Clock::now();
       engine_.run(until - step);
-      line_.worked(until - step, seconds_since(start));
+      line_.worked(until - step, measure::seconds_since(start));
       record();
     }
     line_.wipe();
@@ -133,7 +131,7 @@ class Run {
       // Measuring does a part of the next step's work, so it counts as work.
       const Clock::time_point start = Clock::now();
       const dem::Measurement m = engine_.measure();
-      line_.worked(0, seconds_since(start));
+      line_.worked(0, measure::seconds_since(start));
       if (!std::isfinite(m.energy()))
         throw particles::Error("the energy is not finite at step " + std::to_string(step));
       if (row) recorder_.energies(step, m);
