@@ -178,8 +178,6 @@ void add_options(CLI::App &command, Options &options) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  CLI::App command("Time contact searches side by side and compare their pairs");
-  Options options;
-  add_options(command, options);
-  return bench::run_program(command, "hgrid_compare", argc, argv, [&] { return compare(options); });
+  return bench::run_program("hgrid_compare", "Time contact searches side by side and compare their pairs", argc, argv,
+                            add_options, compare);
 }

@@ -89,7 +89,7 @@ std::vector<std::string> usable_instruction_sets() {
   if (wanted != nullptr && *wanted != '\0') return {wanted};
   std::vector<std::string> sets;
   for (const char *isa : kInstructionSets) {
-    if (usable(isa)) sets.push_back(isa);
+    if (usable(isa)) sets.emplace_back(isa);
   }
   return sets;
 }

@@ -9,17 +9,27 @@
 
 #include <cstdio>
 #include <exception>
+#include <new>
 
 namespace bench {
 
-// Reads the options and does `work`, which returns the exit code.
-template <class Work>
-int run_program(CLI::App &command, const char *name, int argc, char **argv, Work &&work) {
+// Reads the options and does `work` with them, which returns the exit code.
+template <class Options>
+int run_program(const char *name, const char *purpose, int argc, char **argv,
+                void (*add_options)(CLI::App &, Options &), int (*work)(const Options &)) {
   try {
-    command.parse(argc, argv);
-    return work();
-  } catch (const CLI::Error &error) {
-    return command.exit(error);
+    CLI::App command(purpose);
+    Options options;
+    add_options(command, options);
+    try {
+      command.parse(argc, argv);
+      return work(options);
+    } catch (const CLI::Error &error) {
+      return command.exit(error);
+    }
+  } catch (const std::bad_alloc &) {
+    std::fprintf(stderr, "%s: not enough memory\n", name);
+    return 1;
   } catch (const std::exception &error) {
     std::fprintf(stderr, "%s: %s\n", name, particles::message_of(error).c_str());
     return 1;

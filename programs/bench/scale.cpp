@@ -3,43 +3,34 @@
 // One search among very many particles, with its time and the peak memory of the process. Radii of a size law in random
 // order, places at random, density 0.62, nothing relaxed.
 #include "packing/packing.hpp"
-#include "particles/error.hpp"
 #include "particles/insert.hpp"
 #include "particles/text/lists.hpp"
-#include "particles/text/number.hpp"
+#include "programs/bench/program.hpp"
 
 #include <hgrid/hgrid.h>
 
+#include <CLI/CLI.hpp>
 #include <sys/resource.h>
 
 #include <chrono>
 #include <cstdio>
-#include <new>
 #include <string>
 #include <utility>
 
 namespace {
 
-struct Arguments {
+struct Options {
   std::string law;
   double ratio = 0;
   size_t count = 0;
-  size_t threads = 1;
+  int32_t threads = 1;
 };
 
-bool read_arguments(int argc, char **argv, Arguments &arguments) {
-  if (argc < 4 || argc > 5) return false;
-  arguments.law = argv[1];
-  return particles::number_fault(argv[2], arguments.ratio) == nullptr &&
-         particles::read_count(argv[3], arguments.count) &&
-         (argc == 4 || particles::read_count(argv[4], arguments.threads));
-}
-
 // No copy of the radii is made on the way: memory is what is measured.
-particles::ParticleSet make_particles(const Arguments &arguments, double &edge) {
+particles::ParticleSet make_particles(const Options &options, double &edge) {
   packing::Request request;
-  request.law = packing::law_with(arguments.law, arguments.ratio);
-  request.count = arguments.count;
+  request.law = packing::law_with(options.law, options.ratio);
+  request.count = options.count;
   packing::Beginning beginning = packing::begin_packing(request);
   edge = beginning.box.edge(0);
   particles::ParticleSet set;
@@ -49,15 +40,15 @@ particles::ParticleSet make_particles(const Arguments &arguments, double &edge) 
   return set;
 }
 
-void search(const Arguments &arguments) {
+int search(const Options &options) {
   double edge = 0;
-  const particles::ParticleSet set = make_particles(arguments, edge);
-  std::printf("%s, ratio %g: %zu particles in a box of edge %g\n", arguments.law.c_str(), arguments.ratio, set.count(),
+  const particles::ParticleSet set = make_particles(options, edge);
+  std::printf("%s, ratio %g: %zu particles in a box of edge %g\n", options.law.c_str(), options.ratio, set.count(),
               edge);
   std::fflush(stdout);
 
   hg_grid_def def = hg_default_grid_def();
-  def.thread_count = static_cast<int32_t>(arguments.threads);
+  def.thread_count = options.threads;
   const auto start = std::chrono::steady_clock::now();
   hgrid::Grid grid(def);
   particles::insert(set, grid);
@@ -70,25 +61,21 @@ void search(const Arguments &arguments) {
               1e9 * seconds / static_cast<double>(set.count()));
   std::printf("peak memory of the process %.2f GiB, 32 bytes per particle of it the input\n",
               static_cast<double>(usage.ru_maxrss) / 1048576.0);
+  return 0;
+}
+
+void add_options(CLI::App &command, Options &options) {
+  command.add_option("LAW", options.law, "Law of the sizes")
+      ->required()
+      ->check(CLI::IsMember(particles::names_of(packing::size_laws())));
+  command.add_option("RATIO", options.ratio, "Its size ratio; the sigma of log-normal")->required();
+  command.add_option("COUNT", options.count, "Number of particles")->required();
+  command.add_option("THREADS", options.threads, "Threads of the search")->capture_default_str();
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
-  Arguments arguments;
-  if (!read_arguments(argc, argv, arguments)) {
-    const std::string laws = particles::joined(particles::names_of(packing::size_laws()), " or ");
-    std::fprintf(stderr, "usage: hgrid_scale LAW RATIO COUNT [THREADS (1)]\nLAW: %s (its sigma for RATIO)\n",
-                 laws.c_str());
-    return 2;
-  }
-  try {
-    search(arguments);
-    return 0;
-  } catch (const particles::Error &error) {
-    std::fprintf(stderr, "hgrid_scale: %s\n", error.what());
-  } catch (const std::bad_alloc &) {
-    std::fprintf(stderr, "hgrid_scale: no memory for %zu particles\n", arguments.count);
-  }
-  return 1;
+  return bench::run_program("hgrid_scale", "Time one search among very many particles", argc, argv, add_options,
+                            search);
 }

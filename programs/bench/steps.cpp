@@ -9,15 +9,23 @@
 #include "dem/effects/table.hpp"
 #include "dem/engine/engine.hpp"
 #include "dem/setup/time_step.hpp"
+#include "programs/bench/program.hpp"
 #include "programs/measure/timing.hpp"
+
+#include <CLI/CLI.hpp>
 
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 
 namespace {
+
+struct Options {
+  std::string effects;
+  int edge = 0;
+  uint64_t steps = 0;
+};
 
 dem::EffectSet effects_of(const std::string &names) {
   dem::EffectSet effects = 0;
@@ -86,30 +94,28 @@ uint64_t checksum(const dem::Snapshot &state) {
   return sum;
 }
 
-void run(const std::string &names, int edge, uint64_t steps) {
-  const dem::Setup setup = make_system(effects_of(names), edge);
+int run(const Options &options) {
+  const dem::Setup setup = make_system(effects_of(options.effects), options.edge);
   const auto engine = dem::make_engine(setup);
   engine->run(5);  // memory grows to what it needs
-  const double seconds = measure::seconds_of([&] { engine->run(steps); });
+  const double seconds = measure::seconds_of([&] { engine->run(options.steps); });
   const double count = static_cast<double>(setup.count());
-  std::printf("%s particles=%zu pairs=%zu bytes=%.1f ns=%.2f state=%016llx\n", names.c_str(), setup.count(),
+  std::printf("%s particles=%zu pairs=%zu bytes=%.1f ns=%.2f state=%016llx\n", options.effects.c_str(), setup.count(),
               engine->pair_count(), static_cast<double>(engine->state_bytes()) / count,
-              1e9 * seconds / (count * static_cast<double>(steps)),
+              1e9 * seconds / (count * static_cast<double>(options.steps)),
               static_cast<unsigned long long>(checksum(engine->snapshot())));
+  return 0;
+}
+
+void add_options(CLI::App &command, Options &options) {
+  command.add_option("EFFECTS", options.effects, "Names with commas, or none")->required();
+  command.add_option("EDGE", options.edge, "Spheres along an edge")->required()->check(CLI::Range(1, 1000));
+  command.add_option("STEPS", options.steps, "Steps that are timed")->required();
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
-  if (argc != 4) {
-    std::fputs("usage: hgrid_steps EFFECTS EDGE STEPS\n", stderr);
-    return 2;
-  }
-  try {
-    run(argv[1], std::atoi(argv[2]), std::strtoull(argv[3], nullptr, 10));
-    return 0;
-  } catch (const std::exception &error) {
-    std::fprintf(stderr, "hgrid_steps: %s\n", error.what());
-    return 1;
-  }
+  return bench::run_program("hgrid_steps", "Time the steps of one dense system under chosen effects", argc, argv,
+                            add_options, run);
 }

@@ -121,7 +121,7 @@ std::vector<Contestant> each_skin(const System &system, const Isas &isas) {
 std::vector<std::string> sources(const std::vector<std::string> &laws, const std::vector<std::string> &ends) {
   std::vector<std::string> list;
   for (const std::string &law : laws) {
-    for (const std::string &end : ends) list.push_back(law + ':' + end);
+    for (const std::string &end : ends) list.emplace_back(law).append(":").append(end);
   }
   return list;
 }

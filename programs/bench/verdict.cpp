@@ -21,7 +21,7 @@ std::vector<hg_pair> pairs_of_library(const particles::ParticleSet &particles, A
     search.run(pairs);
     channel.send_array(sorted(pairs.data(), pairs.size()));
   });
-  const std::vector<hg_pair> pairs = searcher.channel().receive_array<hg_pair>();
+  std::vector<hg_pair> pairs = searcher.channel().receive_array<hg_pair>();
   searcher.wait();
   return pairs;
 }

@@ -162,8 +162,6 @@ void add_options(CLI::App &command, Options &options) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  CLI::App command("Time whole steps of a scene in several programs and compare the motion");
-  Options options;
-  add_options(command, options);
-  return bench::run_program(command, "hgrid_dem", argc, argv, [&] { return compare(options); });
+  return bench::run_program("hgrid_dem", "Time whole steps of a scene in several programs and compare the motion", argc,
+                            argv, add_options, compare);
 }

@@ -98,9 +98,10 @@ void PlainSteps::run(uint64_t steps) {
 MotionState PlainSteps::state() const {
   MotionState state{std::vector<double>(set_.centers.size()), std::vector<double>(set_.centers.size())};
   for (size_t i = 0; i < order_.size(); i++) {
+    const size_t given = order_[i];
     for (size_t k = 0; k < 3; k++) {
-      state.centers[3 * order_[i] + k] = set_.centers[3 * i + k];
-      state.velocities[3 * order_[i] + k] = setup_.velocities[3 * i + k];
+      state.centers[3 * given + k] = set_.centers[3 * i + k];
+      state.velocities[3 * given + k] = setup_.velocities[3 * i + k];
     }
   }
   return state;
