@@ -18,3 +18,8 @@ extern "C" {
 }
 #endif
 /* clang-format on */
+
+#ifdef __cplusplus
+/* This macro would rewrite hg::fail and member functions of the standard library. */
+#undef fail
+#endif

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "src/base/error.hpp"
+#include "tests/support/frame.h"
 #include "tests/support/rng.hpp"
 
 #include <cstdarg>
@@ -14,18 +15,6 @@
 #include <cstdio>
 #include <cstring>
 #include <stdexcept>
-
-// cmocka wants these first, and C linkage. Its macro fail() would hide hg::fail.
-/* clang-format off */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-extern "C" {
-#include <cmocka.h>
-}
-/* clang-format on */
-#undef fail
 
 namespace hgtest {
 
