@@ -48,7 +48,7 @@ std::string sound_checkpoint(const dem::Setup &setup) {
   const std::string path = (std::filesystem::temp_directory_path() / "hgrid-fuzz-checkpoint").string();
   checkpoint.write(path);
   std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   std::filesystem::remove(path);
   return bytes;
 }

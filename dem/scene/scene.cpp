@@ -131,6 +131,7 @@ Scene read_scene(const std::string &path) {
   if (groups.empty()) top.fail("particles", "a scene needs at least one table [[particles]]");
   const std::string folder = std::filesystem::path(path).parent_path().string();
   std::vector<particles::ParticleSet> sources;
+  sources.reserve(groups.size());
   for (const Table &group : groups) sources.push_back(add_particles(group, folder, scene.setup));
   read_box(top, sources, scene.setup);
   add_shear_profile(scene.setup);

@@ -28,7 +28,8 @@ inline double meeting_time(const Vector &x, const Vector &v, double sigma, doubl
   const double c = square(x) - sigma * sigma;
   if (b >= 0) {
     const double tau = (b + std::sqrt(std::max(b * b - aa * c, 0.0))) / -aa;
-    return tau < limit ? tau : kNever;
+    if (tau < limit) return tau;
+    return kNever;
   }
   if (c <= 0) return 0;
   // C / (-B + root) cancels nothing; the root is at most -B where A >= 0, which bounds tau from below.
@@ -36,7 +37,8 @@ inline double meeting_time(const Vector &x, const Vector &v, double sigma, doubl
   const double discriminant = b * b - aa * c;
   if (discriminant < 0) return kNever;
   const double tau = c / (-b + std::sqrt(discriminant));
-  return tau < limit ? tau : kNever;
+  if (tau < limit) return tau;
+  return kNever;
 }
 
 // The time until a sphere reaches a wall: gap >= 0 between the surface and the wall, outward velocity of the centre,

@@ -23,7 +23,7 @@ Particles block(int n, const double (&basis)[sites][3], double radius) {
   Particles particles;
   for (int i = 0; i < n * n * n; i++) {
     for (const double(&site)[3] : basis) {
-      const double center[3] = {i % n + site[0], i / n % n + site[1], i / n / n + site[2]};
+      const double center[3] = {i % n + site[0], i / n % n + site[1], static_cast<double>(i / n / n) + site[2]};
       particles.add(center, radius);
     }
   }
@@ -64,13 +64,13 @@ struct Shell {
 // z(reach) adds up the shells below the reach; every periodic site has all of them: N z / 2 pairs.
 template <size_t sites, size_t shells>
 void require_shells(const char *name, const double (&basis)[sites][3], const Shell (&table)[shells]) {
-  constexpr int n = 6;
+  constexpr size_t kEdge = 6;
   size_t z = 0;
   for (size_t k = 0; k + 1 < shells; k++) {
     z += table[k].count;
     const double reach = std::sqrt(0.5 * (table[k].distance2 + table[k + 1].distance2));
-    require_within(std::string(name) + " shells below " + std::to_string(reach), periodic_box(n), n, basis, reach,
-                   n * n * n * sites * z / 2);
+    require_within(std::string(name) + " shells below " + std::to_string(reach), periodic_box(kEdge), kEdge, basis,
+                   reach, kEdge * kEdge * kEdge * sites * z / 2);
   }
 }
 
@@ -144,15 +144,15 @@ void triangular_lattice(void **) {
 // Only unlike ions meet: 8 around each in CsCl, 6 in NaCl.
 void two_species(void **) {
   assert_true(holds(0, [](uint64_t) {
-    constexpr int n = 6;
-    Particles cscl = block(n, kBcc, 0.45);
+    constexpr size_t kEdge = 6, kCells = kEdge * kEdge * kEdge;
+    Particles cscl = block(kEdge, kBcc, 0.45);
     for (size_t i = 1; i < cscl.count(); i += 2) cscl.radii[i] = 0.43;
-    require_count("CsCl", periodic_box(n), cscl, n * n * n * 8);
+    require_count("CsCl", periodic_box(kEdge), cscl, kCells * 8);
     constexpr double kNacl[][3] = {{0, 0, 0},     {0.5, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0},
                                    {0.5, 0, 0.5}, {0, 0, 0.5}, {0, 0.5, 0.5}, {0.5, 0.5, 0.5}};
-    Particles nacl = block(n, kNacl, 0.3);
+    Particles nacl = block(kEdge, kNacl, 0.3);
     for (size_t i = 1; i < nacl.count(); i += 2) nacl.radii[i] = 0.22;
-    require_count("NaCl", periodic_box(n), nacl, n * n * n * 8 * 6 / 2);
+    require_count("NaCl", periodic_box(kEdge), nacl, kCells * 8 * 6 / 2);
   }));
 }
 

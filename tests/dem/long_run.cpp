@@ -54,7 +54,8 @@ double error_of_a_collision(double steps) {
   constexpr int kPhases = 200;
   double squares = 0;
   for (int k = 0; k < kPhases * kPhases; k++) {
-    const double n = steps + (k / kPhases + 0.5) / kPhases, h = bodies::kPi / n;  // mass and stiffness 1
+    const double n = steps + (static_cast<double>(k / kPhases) + 0.5) / kPhases,
+                 h = bodies::kPi / n;                             // mass and stiffness 1
     double x = h * (k % kPhases + 0.5) / kPhases, v = -1, a = 0;  // on the way to the spring, which acts at x < 0
     do {
       v += h / 2 * a;
@@ -194,6 +195,7 @@ bool follow(uint64_t steps, double steps_per_contact, bool restarts) {
   const std::string path =
       (std::filesystem::temp_directory_path() / ("hgrid-long-run-" + std::to_string(steps))).string();
   std::vector<Course> courses;
+  courses.reserve(kSeeds.size());
   for (const uint64_t seed : kSeeds) courses.emplace_back(seed, steps_per_contact);
   bool good = true;
   for (const uint64_t share : {100u, 10u, 2u, 1u}) {

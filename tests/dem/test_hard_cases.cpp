@@ -297,7 +297,7 @@ dem::Setup pressed_crystal() {
   for (int cell = 0; cell < kCells * kCells * kCells; cell++) {
     for (const auto &site : sites) {
       const double x = (cell % kCells + site[0]) * kCell, y = (cell / kCells % kCells + site[1]) * kCell;
-      const double z = (cell / (kCells * kCells) + site[2]) * kCell;
+      const double z = (static_cast<double>(cell / (kCells * kCells)) + site[2]) * kCell;
       const double u = 0.1 * random.normal(), v = 0.1 * random.normal(), w = 0.1 * random.normal();
       bodies::add(setup, {x, y, z}, {u, v, w}, 1, 1);
     }

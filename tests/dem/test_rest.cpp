@@ -72,7 +72,7 @@ Heap settle_heap() {
   packing::Random random(kSeed);
   for (int n = 0; n < 80; n++) {
     const double x = 2.1 * (n % 8) - 7.35 + 0.1 * random.uniform();
-    bodies::add(setup, {x, 2.2 + 2.1 * (n / 8)}, {0, 0}, 1, 1);
+    bodies::add(setup, {x, 2.2 + 2.1 * static_cast<double>(n / 8)}, {0, 0}, 1, 1);
   }
   bodies::set_steps_per_contact(setup, 20);
   const auto engine = dem::make_engine(setup);

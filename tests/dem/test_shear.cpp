@@ -39,7 +39,7 @@ Pairs pairs_by_images(const dem::Setup &setup, double offset) {
   for (size_t i = 0; i < setup.count(); i++) {
     for (size_t j = i + 1; j < setup.count(); j++) {
       for (int image = 0; image < 27; image++) {
-        const double shift[3] = {image % 3 - 1.0, image / 3 % 3 - 1.0, image / 9 - 1.0};
+        const double shift[3] = {image % 3 - 1.0, image / 3 % 3 - 1.0, static_cast<double>(image / 9) - 1};
         double square = 0;
         for (size_t k = 0; k < 3; k++) {
           double d = setup.centers[3 * j + k] - setup.centers[3 * i + k] + shift[k] * length;
@@ -64,9 +64,9 @@ bool search_agrees(double offset) {
   const dem::PairView found = search.find(setup.centers.data(), nullptr, offset);
   Pairs listed;
   bool ascending = true;
-  for (size_t p = 0; p < found.size(); p++) {
-    ascending = ascending && (listed.empty() || *listed.rbegin() < std::make_pair(found[p].a, found[p].b));
-    listed.insert({found[p].a, found[p].b});
+  for (const hg_pair &pair : found) {
+    ascending = ascending && (listed.empty() || *listed.rbegin() < std::make_pair(pair.a, pair.b));
+    listed.insert({pair.a, pair.b});
   }
   const Pairs expected = pairs_by_images(setup, offset);
   std::printf("offset %g: %zu pairs, %zu by images\n", offset, listed.size(), expected.size());

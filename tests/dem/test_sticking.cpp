@@ -74,8 +74,8 @@ double stretching(const Law &law, double limit, double stretch, double slip) {
 // The same impact by many small steps of the equation of motion. Without a dashpot the spring bears the limit alone.
 Motion integrate(const dem::Setup &setup, const Impact &impact, double duration) {
   const double h = duration / 400000, inertia = 0.4 * impact.mass * impact.radius * impact.radius;
-  double overlap = 0, closing = impact.normal, v = impact.tangential, spin = impact.spin, stretch = 0;
-  for (overlap = h * closing; overlap > 0; overlap += h * closing) {
+  double closing = impact.normal, overlap = h * closing, v = impact.tangential, spin = impact.spin, stretch = 0;
+  while (overlap > 0) {
     const Law law = law_at(setup, impact.mass, impact.radius, overlap);
     const double arm = impact.radius - overlap, slip = v - arm * spin, limit = setup.contact.friction * law.normal;
     double rate = 0;
@@ -89,6 +89,7 @@ Motion integrate(const dem::Setup &setup, const Impact &impact, double duration)
     closing -= h * (law.normal + law.normal_damping * closing) / impact.mass;
     v += h * force / impact.mass;
     spin -= h * arm * force / inertia;
+    overlap += h * closing;
   }
   return {-closing, v, spin};
 }

@@ -41,7 +41,7 @@ Particles thrown(Rng &rng, int dimension, int count, Law law, double ratio, doub
 Particles lattice(int side) {
   Particles particles;
   for (int at = 0; at < side * side * side; at++) {
-    const double center[3] = {0.1 * (at % side), 0.1 * (at / side % side), 0.1 * (at / side / side)};
+    const double center[3] = {0.1 * (at % side), 0.1 * (at / side % side), 0.1 * static_cast<double>(at / side / side)};
     particles.add(center, 0.05);
   }
   return particles;

@@ -12,20 +12,19 @@ namespace {
 
 using namespace hgtest;
 
-// The values at an odd address. The pointer is made from its bits, as a host that packs records would.
+// The values at an odd address, as a host that packs records has them.
 template <class T>
 class Misaligned {
  public:
   explicit Misaligned(const std::vector<T> &values) : bytes_(values.size() * sizeof(T) + 1 + alignof(T)) {
-    const uintptr_t start = reinterpret_cast<uintptr_t>(bytes_.data());
-    address_ = start / alignof(T) * alignof(T) + alignof(T) + 1;
-    std::memcpy(bytes_.data() + (address_ - start), values.data(), values.size() * sizeof(T));
+    offset_ = 1 + alignof(T) - reinterpret_cast<uintptr_t>(bytes_.data()) % alignof(T);
+    std::memcpy(bytes_.data() + offset_, values.data(), values.size() * sizeof(T));
   }
-  const T *get() const { return reinterpret_cast<const T *>(address_); }
+  const T *get() const { return reinterpret_cast<const T *>(bytes_.data() + offset_); }
 
  private:
   std::vector<unsigned char> bytes_;
-  uintptr_t address_;
+  size_t offset_;
 };
 
 Particles draw(uint64_t seed) {

@@ -193,7 +193,8 @@ void strided_lattices(void **) {
     for (const double stride : {0x1p3, 0x1p16, 0x1p32, 0x1p44}) {
       Particles particles;
       for (int at = 0; at < 20 * 20 * 20; at++) {
-        const double center[3] = {stride * (at % 20 - 10), stride * (at / 20 % 20 - 10), stride * (at / 400 - 10)};
+        const double center[3] = {stride * (at % 20 - 10), stride * (at / 20 % 20 - 10),
+                                  stride * static_cast<double>(at / 400 - 10)};
         for (const double offset : {0.0, 1.0, 2.0, 2.5}) {
           const double moved[3] = {center[0] + offset, center[1], center[2]};
           particles.add(moved, 0.5);

@@ -97,7 +97,8 @@ void indices_beyond_2_31_and_2_62(void **) {
       for (const double side : {-1.0, 0.0, 1.0}) {
         for (int i = 0; i < 12; i++) {
           const double far = side * std::ldexp(1, bits);
-          const double center[3] = {far + 0.75 * (i % 3), -far + 0.75 * (i / 3 % 2), far + 0.75 * (i / 6)};
+          const double center[3] = {far + 0.75 * (i % 3), -far + 0.75 * (i / 3 % 2),
+                                    far + 0.75 * static_cast<double>(i / 6)};
           particles.add(center, i % 4 == 0 ? 2 : 0.5);
         }
       }

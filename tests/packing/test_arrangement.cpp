@@ -115,9 +115,9 @@ double close_share(double reach) {
   const packing::Box box = box_of(3);
   packing::Random random(kSeed);
   packing::Thrower thrower(Arrangement::kClusters, box, random);
-  constexpr int kCount = 4000;
+  constexpr size_t kCount = 4000;
   std::vector<double> x(3 * kCount, 0.0);
-  for (int i = 0; i < kCount; i++) thrower(0, &x[3 * static_cast<size_t>(i)]);
+  for (size_t i = 0; i < kCount; i++) thrower(0, &x[3 * i]);
   int close = 0;
   for (size_t i = 0; i < kCount; i++) {
     for (size_t j = 0; j < i; j++) {

@@ -7,12 +7,12 @@
 #include "tests/particles/cmocka_cpp.hpp"
 #include "tests/particles/page.hpp"
 #include "tests/particles/reading.hpp"
+#include "tests/support/rng.hpp"
 
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <limits>
-#include <random>
 
 using test::refuses;
 using test::with_box;
@@ -22,9 +22,9 @@ namespace {
 constexpr uint64_t kSeed = 20240611;
 
 // Coordinates of every magnitude: random bits of finite doubles.
-double any_finite(std::mt19937_64 &random) {
+double any_finite(hgtest::Rng &random) {
   for (;;) {
-    const uint64_t bits = random();
+    const uint64_t bits = random.next();
     double value = 0;
     static_assert(sizeof bits == sizeof value);
     std::memcpy(&value, &bits, sizeof value);
@@ -33,7 +33,7 @@ double any_finite(std::mt19937_64 &random) {
 }
 
 particles::ParticleSet random_set(int dimension, size_t count) {
-  std::mt19937_64 random(kSeed);
+  hgtest::Rng random(kSeed);
   particles::ParticleSet set;
   set.dimension = dimension;
   for (size_t k = 0; k < count * static_cast<size_t>(dimension); k++) set.centers.push_back(any_finite(random));

@@ -12,6 +12,7 @@
 
 #include <hgrid/hgrid.hpp>
 
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
@@ -52,7 +53,7 @@ bool same(const char *what, const std::vector<hg_pair> &expected, const std::vec
 std::vector<double> doubling_sizes(const particles::ParticleSet &set) {
   const double largest = 2 * *std::max_element(set.radii.begin(), set.radii.end());
   std::vector<double> sizes;
-  for (double size = 2.5; size < largest; size *= 2) sizes.push_back(size);
+  for (int k = 0; std::ldexp(2.5, k) < largest; k++) sizes.push_back(std::ldexp(2.5, k));
   sizes.push_back(largest);
   return sizes;
 }

@@ -83,7 +83,7 @@ bool many_disks_are_cropped() {
   set.dimension = 2;
   for (int i = 0; i < 150 * 150; i++) {
     set.centers.push_back(i % 150);
-    set.centers.push_back(i / 150);
+    set.centers.push_back(static_cast<double>(i / 150));
     set.radii.push_back(0.4);
   }
   const std::string whole = draw::slice_picture(draw::cut(set, {{0.8, 0.4, set.count()}}, 2, 0.5));

@@ -23,7 +23,9 @@ constexpr size_t kCount = 125001;
 class SizeClass {
  public:
   SizeClass(const Particles &particles, const std::vector<size_t> &members, double low, double edge, double cell)
-      : low_(low), cells_(std::clamp(static_cast<long>(std::floor(edge / cell)), 1L, 64L)), width_(edge / cells_) {
+      : low_(low),
+        cells_(std::clamp(static_cast<long>(std::floor(edge / cell)), 1L, 64L)),
+        width_(edge / static_cast<double>(cells_)) {
     begin_.assign(static_cast<size_t>(cells_ * cells_ * cells_ + 1), 0);
     for (const size_t i : members) ++begin_[cell_of(particles.center(i)) + 1];
     for (size_t c = 1; c < begin_.size(); c++) begin_[c] += begin_[c - 1];
@@ -98,7 +100,7 @@ hgtest::Pairs oracle_pairs(const hg_grid_def &def, const Particles &particles) {
   return hgtest::sorted(std::move(pairs));
 }
 
-Particles thrown(std::vector<double> radii, double density, double low, uint64_t seed, double *edge) {
+Particles thrown(const std::vector<double> &radii, double density, double low, uint64_t seed, double *edge) {
   double volume = 0;
   for (const double r : radii) volume += 4.0 / 3.0 * 3.14159265358979 * r * r * r;
   *edge = std::cbrt(volume / density);

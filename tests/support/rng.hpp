@@ -38,7 +38,9 @@ class Rng {
   // In 0 .. bound - 1; the bias of the remainder is below bound / 2^64 and of no matter here.
   uint64_t below(uint64_t bound) { return next() % bound; }
   // In low .. high, both included.
-  int integer(int low, int high) { return low + static_cast<int>(below(static_cast<uint64_t>(high - low + 1))); }
+  int integer(int low, int high) {
+    return low + static_cast<int>(below(static_cast<uint64_t>(int64_t{high} - low + 1)));
+  }
   bool chance(double probability) { return uniform() < probability; }
 
  private:

@@ -153,8 +153,8 @@ void check_boxes(uint64_t) {
 }
 
 void check_cell_sizes(uint64_t) {
-  static constexpr double duplicate[] = {1, 1}, falling[] = {1, 0.5}, zero[] = {0, 1}, negative[] = {-1, 1};
-  static constexpr double nan[] = {1, kNaN}, infinite[] = {1, kInfinity};
+  static constexpr double kDuplicate[] = {1, 1}, kFalling[] = {1, 0.5}, kZero[] = {0, 1}, kNegative[] = {-1, 1};
+  static constexpr double kNotANumber[] = {1, kNaN}, kInfinite[] = {1, kInfinity};
   const auto with = [](const double *sizes, int32_t count) {
     return [=](hg_grid_def &d) {
       d.level_rule = HG_LEVELS_USER;
@@ -163,13 +163,13 @@ void check_cell_sizes(uint64_t) {
     };
   };
   refused(HG_ERR_NULL, "def.cell_sizes", with(nullptr, 2));
-  refused(HG_ERR_ARGUMENT, "def.level_count = 0", with(duplicate, 0));
-  refused(HG_ERR_ARGUMENT, "def.cell_sizes[1] = 1", with(duplicate, 2));
-  refused(HG_ERR_ARGUMENT, "def.cell_sizes[1] = 0.5", with(falling, 2));
-  refused(HG_ERR_ARGUMENT, "def.cell_sizes[0] = 0", with(zero, 2));
-  refused(HG_ERR_ARGUMENT, "def.cell_sizes[0] = -1", with(negative, 2));
-  refused(HG_ERR_ARGUMENT, "def.cell_sizes[1] = nan", with(nan, 2));
-  refused(HG_ERR_ARGUMENT, "def.cell_sizes[1] = inf", with(infinite, 2));
+  refused(HG_ERR_ARGUMENT, "def.level_count = 0", with(kDuplicate, 0));
+  refused(HG_ERR_ARGUMENT, "def.cell_sizes[1] = 1", with(kDuplicate, 2));
+  refused(HG_ERR_ARGUMENT, "def.cell_sizes[1] = 0.5", with(kFalling, 2));
+  refused(HG_ERR_ARGUMENT, "def.cell_sizes[0] = 0", with(kZero, 2));
+  refused(HG_ERR_ARGUMENT, "def.cell_sizes[0] = -1", with(kNegative, 2));
+  refused(HG_ERR_ARGUMENT, "def.cell_sizes[1] = nan", with(kNotANumber, 2));
+  refused(HG_ERR_ARGUMENT, "def.cell_sizes[1] = inf", with(kInfinite, 2));
 }
 
 void defaults_hold(void **) { assert_true(holds(0, check_defaults)); }

@@ -128,7 +128,8 @@ void check_double(uint64_t) {
   for (double unit : {1e-200, 1e-170, 1e-155, 1.0, 1e155, 1e170}) {
     Case c(2);
     c.def.accuracy = HG_DOUBLE;
-    for (int i = 0; i < 12; i++) c.particle(unit * (i % 4), unit * 1.5 * (i / 4), 0, unit * (0.4 + 0.1 * (i % 3)));
+    for (int i = 0; i < 12; i++)
+      c.particle(unit * (i % 4), unit * 1.5 * static_cast<double>(i / 4), 0, unit * (0.4 + 0.1 * (i % 3)));
     require_pairs("plain expression", c, double_interact);
   }
 }

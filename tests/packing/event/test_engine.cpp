@@ -9,6 +9,7 @@
 
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -89,7 +90,7 @@ void no_overlap_at_any_time(void **) {
 // One particle after the other, all pairs and their images, everything moved in every step.
 class BruteForce {
  public:
-  BruteForce(const Box &box, const State &state, double growth) : box_(box), state_(state), growth_(growth) {}
+  BruteForce(Box box, State state, double growth) : box_(std::move(box)), state_(std::move(state)), growth_(growth) {}
 
   void run(double duration) {
     for (double left = duration; left > 0;) {

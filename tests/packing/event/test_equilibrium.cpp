@@ -68,7 +68,7 @@ Measured measure(const std::vector<double> &radii, double density, bool periodic
   packing::Random random(kSeed);
   for (const double mass : masses) {
     const Vector v(random.normal(), random.normal(), random.normal());
-    state.velocities.push_back(v / std::sqrt(mass));
+    state.velocities.emplace_back(v / std::sqrt(mass));
   }
   Engine engine(box, state);
   run(engine, 30);

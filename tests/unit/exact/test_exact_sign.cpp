@@ -107,9 +107,9 @@ ExactSum cancelling_sum(Rng &rng, double total, double other) {
 
 // Pythagorean tuples at any scale: a tie is not less, and the tiniest number more decides.
 void check_ties(uint64_t seed) {
-  static constexpr int tuples[5][4] = {{3, 4, 0, 5}, {20, 21, 0, 29}, {2, 3, 6, 7}, {1, 4, 8, 9}, {6, 10, 15, 19}};
+  static constexpr int kTuples[5][4] = {{3, 4, 0, 5}, {20, 21, 0, 29}, {2, 3, 6, 7}, {1, 4, 8, 9}, {6, 10, 15, 19}};
   Rng rng(seed);
-  const int *tuple = tuples[rng.below(5)];
+  const int *tuple = kTuples[rng.below(5)];
   const int dimension = tuple[2] == 0 ? 2 : 3;
   const double scale = std::ldexp(1.0, rng.integer(-1074, 1018));
   ExactSum difference[3];

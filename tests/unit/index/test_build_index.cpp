@@ -173,7 +173,7 @@ void check_outlier(uint64_t) {
   index.map = hg::FixedPoint::over(hg::bounds_of(store, index.domain, 1), index.domain, size);
   hg::build_index(index, scratch, store, hg::user_levels(&size, 1, index.interaction), 1);
   require(index.levels[0].sparse, "20000 particles in one cell");
-  require(memory.bytes() < 20000 * 200, "%lld bytes", static_cast<long long>(memory.bytes()));
+  require(memory.bytes() < int64_t{20000} * 200, "%lld bytes", static_cast<long long>(memory.bytes()));
 }
 
 void outlier(void **) { assert_true(holds(0, check_outlier)); }

@@ -9,6 +9,7 @@
 #include "tests/unit/plain_cells.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -23,7 +24,7 @@ using hg::kPadding;
 using hg::PointArrays;
 
 struct Points {
-  std::vector<int32_t> x[3];
+  std::array<std::vector<int32_t>, 3> x;
   std::vector<float> radius;
   std::vector<uint32_t> slot;
   std::vector<hg::Image> image;  // none: no point is an image

@@ -132,17 +132,17 @@ void check_uniform_volume_50(uint64_t) {
   require(std::fabs(request.volume.edge - 435.847842) < 1e-6, "S = %.9g", request.volume.edge);
   const LevelPlan plan = plan_of(radii, request, 0.3);
   require_sound(plan, radii);
-  static constexpr double occupancy[10] = {1487.405412, 13.286065, 2.745570, 1.205023, 0.713949,
-                                           0.488022,    0.367057,  0.291491, 0.239180, 0.203122};
+  static constexpr double kOccupancy[10] = {1487.405412, 13.286065, 2.745570, 1.205023, 0.713949,
+                                            0.488022,    0.367057,  0.291491, 0.239180, 0.203122};
   for (int L = 1; L <= 10; L++) {
-    require(std::fabs(plan.costs[L - 1].occupancy - occupancy[L - 1]) < 1e-6, "m(%d) = %.9g", L,
+    require(std::fabs(plan.costs[L - 1].occupancy - kOccupancy[L - 1]) < 1e-6, "m(%d) = %.9g", L,
             plan.costs[L - 1].occupancy);
   }
   require(plan.level_count == 7, "%d levels", plan.level_count);
-  static constexpr int64_t particles[7] = {113043, 9676, 1623, 421, 146, 62, 30};
-  static constexpr double cells[7] = {6.4540, 14.6440, 26.5516, 41.6376, 59.2427, 78.8171, 99.5039};
+  static constexpr int64_t kParticles[7] = {113043, 9676, 1623, 421, 146, 62, 30};
+  static constexpr double kCells[7] = {6.4540, 14.6440, 26.5516, 41.6376, 59.2427, 78.8171, 99.5039};
   for (int h = 0; h < 7; h++) {
-    require(plan.levels[h].particles == particles[h] && std::fabs(plan.levels[h].cell_size - cells[h]) < 5.1e-5,
+    require(plan.levels[h].particles == kParticles[h] && std::fabs(plan.levels[h].cell_size - kCells[h]) < 5.1e-5,
             "level %d: %lld @ %.8g", h, static_cast<long long>(plan.levels[h].particles), plan.levels[h].cell_size);
   }
 }
@@ -154,8 +154,8 @@ void check_overheads(uint64_t) {
   static constexpr struct {
     double overhead;
     int levels;
-  } expected[] = {{0.2, 8}, {0.25, 7}, {0.35, 7}, {0.4, 6}, {0.45, 6}};
-  for (const auto &e : expected) {
+  } kExpected[] = {{0.2, 8}, {0.25, 7}, {0.35, 7}, {0.4, 6}, {0.45, 6}};
+  for (const auto &e : kExpected) {
     const int levels = plan_of(radii, cube(edge), e.overhead).level_count;
     require(levels == e.levels, "K = %g: %d levels instead of %d", e.overhead, levels, e.levels);
   }
@@ -228,10 +228,10 @@ void precision(void **) { assert_true(sweep(10, check_precision)); }
 // (2r/S)^d under- and overflows; still no particle may be lost.
 void check_extremes(uint64_t seed) {
   Rng rng(seed);
-  static constexpr double edges[] = {0, 5e-324, 1e-300, 1e-120, 1, 1e120, 1e300, kLargest, HUGE_VAL};
-  static constexpr double overheads[] = {0, 0.3, 1e308};
-  for (double edge : edges) {
-    for (double overhead : overheads) {
+  static constexpr double kEdges[] = {0, 5e-324, 1e-300, 1e-120, 1, 1e120, 1e300, kLargest, HUGE_VAL};
+  static constexpr double kOverheads[] = {0, 0.3, 1e308};
+  for (double edge : kEdges) {
+    for (double overhead : kOverheads) {
       std::vector<double> radii(1 + rng.below(40));
       for (double &r : radii) r = rng.chance(0.2) ? 0 : std::ldexp(1 + rng.uniform(), rng.integer(-1074, 1022));
       LevelRequest request = cube(edge);
@@ -249,8 +249,8 @@ void check_extremes(uint64_t seed) {
 void extremes(void **) { assert_true(sweep(15, check_extremes)); }
 
 void check_many_sizes(uint64_t) {
-  std::vector<double> radii;
-  for (int k = 0; k < 300; k++) radii.push_back(std::ldexp(1.0, k));
+  std::vector<double> radii(300);
+  for (size_t k = 0; k < radii.size(); k++) radii[k] = std::ldexp(1.0, static_cast<int>(k));
   LevelRequest request = cube(0x1p301);
   const LevelPlan free = plan_of(radii, request, 0);
   require_sound(free, radii);
@@ -296,8 +296,8 @@ void check_user_levels(uint64_t seed) {
   Rng rng(seed);
   hg::Interaction interaction;
   interaction.kind = rng.chance(0.5) ? HG_CONTACT : HG_MAX_RANGE;
-  static constexpr double margins[] = {0, 5e-324, 1e-3, 1, 1e300};
-  interaction.margin = margins[rng.below(5)];
+  static constexpr double kMargins[] = {0, 5e-324, 1e-3, 1, 1e300};
+  interaction.margin = kMargins[rng.below(5)];
   std::vector<double> sizes = {5e-324, 1e-310, kLargest, interaction.margin > 0 ? interaction.margin : 1};
   for (int k = 0; k < 20; k++) sizes.push_back(std::ldexp(1 + rng.uniform(), rng.integer(-1074, 1022)));
   std::sort(sizes.begin(), sizes.end());

@@ -152,8 +152,8 @@ void check_extremes(uint64_t seed) {
   hg::fill_defaults(&in.def, sizeof in.def);
   in.def.dimension = rng.integer(2, 3);
   in.def.interaction = rng.chance(0.5) ? HG_CONTACT : HG_MAX_RANGE;
-  static constexpr double margins[] = {0, 5e-324, 1, 1e150};
-  in.def.margin = margins[rng.below(4)];
+  static constexpr double kMargins[] = {0, 5e-324, 1, 1e150};
+  in.def.margin = kMargins[rng.below(4)];
   const int least = rng.integer(-1074, 500), most = rng.integer(least, 500);
   const size_t count = 1 + rng.below(300);
   for (size_t i = 0; i < count; i++) {

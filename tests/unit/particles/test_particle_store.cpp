@@ -68,8 +68,6 @@ class Script {
   void step() {
     switch (rng_.below(6)) {
       case 0:
-        insert();
-        break;
       case 1:
         insert();
         break;
