@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of effects: its bits and names, every set of effects it allows or refuses, every number it checks.
-#include "dem/base/error.hpp"
 #include "dem/effects/table.hpp"
 #include "tests/dem/bodies.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <cstdio>
 #include <set>
@@ -49,12 +49,7 @@ dem::Setup setup_of(dem::EffectSet effects, int dimension) {
 }
 
 std::string error_of(const dem::Setup &setup, dem::Precision precision = dem::Precision::kDouble) {
-  try {
-    dem::make_engine(setup, precision)->run(3);
-  } catch (const dem::Error &error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { dem::make_engine(setup, precision)->run(3); });
 }
 
 // What the engine should say of a set, told apart from its table.

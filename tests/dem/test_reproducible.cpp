@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The same bits: for any number of threads, any skin, whoever looks, and through a checkpoint.
-#include "dem/base/error.hpp"
 #include "tests/dem/gas.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <cstdio>
 #include <cstring>
@@ -101,13 +101,7 @@ void the_number_of_levels_does_not_change_a_bit(void **) { assert_true(same_with
 void levels_below_none_are_refused(void **) {
   dem::Setup setup = busy_setup(2);
   setup.level_count = -1;
-  std::string message;
-  try {
-    dem::make_engine(setup);
-  } catch (const dem::Error &error) {
-    message = error.what();
-  }
-  assert_string_equal(message.c_str(), "the number of levels is -1, below 0");
+  assert_true(test::error_of([&] { dem::make_engine(setup); }) == "the number of levels is -1, below 0");
 }
 
 bool same_when_looked_at() {
@@ -161,12 +155,7 @@ void restart_goes_on_to_the_same_bits(void **) {
 std::string restore_error(const dem::Setup &saved, const dem::Setup &restored) {
   dem::Checkpoint checkpoint;
   dem::make_engine(saved)->save(checkpoint);
-  try {
-    dem::make_engine(restored)->restore(checkpoint);
-  } catch (const dem::Error &error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { dem::make_engine(restored)->restore(checkpoint); });
 }
 
 void checkpoints_of_other_scenes_are_refused(void **) {
@@ -185,17 +174,12 @@ std::string damage_error(size_t at) {
   dem::Checkpoint checkpoint;
   dem::make_engine(busy_setup(2))->save(checkpoint);
   checkpoint.write(checkpoint_path());
-  std::string what;
   {
     std::fstream file(checkpoint_path(), std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(static_cast<std::streamoff>(at));
     file.put('!');
   }
-  try {
-    dem::Checkpoint::read(checkpoint_path());
-  } catch (const dem::Error &error) {
-    what = error.what();
-  }
+  const std::string what = test::error_of([] { dem::Checkpoint::read(checkpoint_path()); });
   std::filesystem::remove(checkpoint_path());
   return what;
 }

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Scene files: what they mean, and what is refused with which words.
-#include "dem/base/error.hpp"
 #include "dem/effects/table.hpp"
 #include "dem/scene/keys.hpp"
 #include "dem/scene/scene.hpp"
@@ -10,6 +9,7 @@
 #include "packing/size_law.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 #include "tests/particles/page.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <unistd.h>
 
@@ -49,13 +49,8 @@ scene::Scene read(const std::string &text) {
 // What is said about a faulty scene, without the folder.
 std::string error_of(const std::string &text) {
   const std::string path = write_file(text);
-  std::string what = "nothing was refused";
-  try {
-    scene::read_scene(path);
-  } catch (const dem::Error &error) {
-    what = error.what();
-    if (what.compare(0, path.size(), path) == 0) what.erase(0, path.size());
-  }
+  std::string what = test::error_of([&] { scene::read_scene(path); });
+  if (what.compare(0, path.size(), path) == 0) what.erase(0, path.size());
   std::filesystem::remove(path);
   return what;
 }
@@ -126,7 +121,7 @@ std::string scene_of(const dem::EffectRow &row, const std::string &table) {
 
 // A number out of its range or of no kind, or a key that is left out, is refused at its line.
 bool faults_are_named(const dem::EffectRow &row) {
-  bool good = error_of(scene_of(row, table_of(row.effect))) == "nothing was refused";
+  bool good = error_of(scene_of(row, table_of(row.effect))).empty();
   int line = 8;
   for (const dem::Parameter &p : dem::kParameters) {
     if (p.effect != row.effect) continue;
@@ -162,12 +157,7 @@ void units_are_turned_to_si(void **) {
 }
 
 std::string unit_error(const char *text, scene::Unit wanted) {
-  try {
-    scene::in_si(text, wanted);
-  } catch (const dem::Error &error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { scene::in_si(text, wanted); });
 }
 
 void wrong_units_are_refused(void **) {

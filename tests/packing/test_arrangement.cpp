@@ -3,9 +3,9 @@
 // Functions of plain arithmetic against the C library, and arrangements against the shares that define them.
 #include "packing/arrangement.hpp"
 #include "packing/portable_math.hpp"
-#include "particles/error.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 #include "tests/particles/page.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,14 +53,7 @@ bool quantiles() {
   return packing::normal_quantile(0.5) == 0 && low < -7.5 && low > -9 && high > 7.5 && high < 9;
 }
 
-void plain_arithmetic(void **) {
-  bool ok = roots_and_powers();
-  assert_true(ok);
-  ok = exponentials();
-  assert_true(ok);
-  ok = quantiles();
-  assert_true(ok);
-}
+bool plain_arithmetic() { return roots_and_powers() && exponentials() && quantiles(); }
 
 packing::Box box_of(int dimension) { return packing::Box(dimension, packing::Vector::Constant(10), {}); }
 
@@ -103,12 +96,7 @@ bool shares(int d) {
          std::fabs(crowded - 0.9901) < 0.003;
 }
 
-void arrangements_hold_their_shares(void **) {
-  bool ok = shares(3);
-  assert_true(ok);
-  ok = shares(2);
-  assert_true(ok);
-}
+bool arrangements_hold_their_shares() { return shares(3) && shares(2); }
 
 // The share of pairs of throws nearer to each other than `reach`.
 double close_share(double reach) {
@@ -140,25 +128,11 @@ bool clusters_are_plummer_spheres() {
   return near("close pairs", reach, close_share(reach), expected, 0.1);
 }
 
-void clusters(void **) {
-  const bool ok = clusters_are_plummer_spheres();
-  assert_true(ok);
-}
-
 void volumes(void **) {
   assert_true(packing::row_of(Arrangement::kEven).share(3) == 1);
   assert_true(std::fabs(packing::row_of(Arrangement::kShell).share(3) - 4 * M_PI * 0.16 * 0.02) < 1e-4);
   assert_true(std::fabs(packing::row_of(Arrangement::kShell).share(2) - 2 * M_PI * 0.4 * 0.02) < 1e-12);
   assert_true(std::fabs(packing::row_of(Arrangement::kClusters).share(2) - 20 * M_PI * 0.0004) < 1e-12);
-}
-
-bool refuses_heap() {
-  try {
-    packing::arrangement_from_name("heap");
-  } catch (const particles::Error &error) {
-    return std::string(error.what()).find("'heap'") != std::string::npos;
-  }
-  return false;
 }
 
 // docs/guide/command.md has a line for every row of the table.
@@ -169,28 +143,23 @@ bool page_tells_all() {
   return true;
 }
 
-void the_page_tells_every_arrangement(void **) {
-  const bool ok = page_tells_all();
-  assert_true(ok);
-}
-
-void names(void **) {
-  for (const packing::ArrangementRow &row : packing::arrangements())
-    assert_true(packing::arrangement_from_name(row.name) == row.arrangement);
-  const bool ok = refuses_heap();
-  assert_true(ok);
+bool names() {
+  const auto &rows = packing::arrangements();
+  return std::all_of(rows.begin(), rows.end(),
+                     [](const auto &row) { return packing::arrangement_from_name(row.name) == row.arrangement; }) &&
+         test::is_refused("'heap'", [] { packing::arrangement_from_name("heap"); });
 }
 
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(plain_arithmetic),
-      cmocka_unit_test(arrangements_hold_their_shares),
-      cmocka_unit_test(clusters),
+      cmocka_unit_test(passes<plain_arithmetic>),
+      cmocka_unit_test(passes<arrangements_hold_their_shares>),
+      cmocka_unit_test(passes<clusters_are_plummer_spheres>),
       cmocka_unit_test(volumes),
-      cmocka_unit_test(names),
-      cmocka_unit_test(the_page_tells_every_arrangement),
+      cmocka_unit_test(passes<names>),
+      cmocka_unit_test(passes<page_tells_all>),
   };
   return cmocka_run_group_tests_name("arrangement", tests, nullptr, nullptr);
 }

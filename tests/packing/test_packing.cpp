@@ -3,8 +3,8 @@
 // Packings from end to end: density, walls, periodic images, progress of the relaxation, reproducibility, refusals.
 #include "oracle/pairs.hpp"
 #include "packing/packing.hpp"
-#include "particles/error.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,37 +95,20 @@ bool good_packing(const packing::Request &request) {
   return false;
 }
 
-void spheres_of_all_laws(void **) {
-  bool ok = good_packing(request_of(Law::kMono, 1, 3));
-  assert_true(ok);
-  ok = good_packing(request_of(Law::kTwoSizes, 5, 3));
-  assert_true(ok);
-  ok = good_packing(request_of(Law::kUniformSize, 8, 3));
-  assert_true(ok);
-  ok = good_packing(request_of(Law::kUniformVolume, 8, 3));
-  assert_true(ok);
+bool laws_of_the_paper(int dimension) {
+  return good_packing(request_of(Law::kMono, 1, dimension)) && good_packing(request_of(Law::kTwoSizes, 5, dimension)) &&
+         good_packing(request_of(Law::kUniformSize, 8, dimension)) &&
+         good_packing(request_of(Law::kUniformVolume, 8, dimension));
 }
 
-void disks_of_all_laws(void **) {
-  bool ok = good_packing(request_of(Law::kMono, 1, 2));
-  assert_true(ok);
-  ok = good_packing(request_of(Law::kTwoSizes, 5, 2));
-  assert_true(ok);
-  ok = good_packing(request_of(Law::kUniformSize, 8, 2));
-  assert_true(ok);
-  ok = good_packing(request_of(Law::kUniformVolume, 8, 2));
-  assert_true(ok);
-}
+bool spheres_of_the_paper() { return laws_of_the_paper(3); }
+bool disks_of_the_paper() { return laws_of_the_paper(2); }
 
-void spheres_of_other_laws(void **) {
-  bool ok = good_packing(request_of(Law::kPowerLaw, 8, 3));
-  assert_true(ok);
+bool spheres_of_other_laws() {
   packing::Request log_normal = request_of(Law::kLogNormal, 1, 3);
   log_normal.law.sigma = 0.4;
-  ok = good_packing(log_normal);
-  assert_true(ok);
-  ok = good_packing(request_of(Law::kOneGiant, 8, 3));
-  assert_true(ok);
+  return good_packing(log_normal) && good_packing(request_of(Law::kPowerLaw, 8, 3)) &&
+         good_packing(request_of(Law::kOneGiant, 8, 3));
 }
 
 bool good_periodic_packing(int dimension, std::array<bool, 3> periodic) {
@@ -134,13 +117,9 @@ bool good_periodic_packing(int dimension, std::array<bool, 3> periodic) {
   return good_packing(request);
 }
 
-void periodic_axes(void **) {
-  bool ok = good_periodic_packing(3, {true, true, true});
-  assert_true(ok);
-  ok = good_periodic_packing(3, {false, true, false});
-  assert_true(ok);
-  ok = good_periodic_packing(2, {true, false, false});
-  assert_true(ok);
+bool periodic_axes() {
+  return good_periodic_packing(3, {true, true, true}) && good_periodic_packing(3, {false, true, false}) &&
+         good_periodic_packing(2, {true, false, false});
 }
 
 bool same_bytes(const std::vector<double> &a, const std::vector<double> &b) {
@@ -157,11 +136,6 @@ bool same_seed_same_bytes() {
          same_bytes(one.particles.radii, again.particles.radii) &&
          !same_bytes(one.particles.centers, other.particles.centers) &&
          !same_bytes(one.particles.radii, other.particles.radii);
-}
-
-void a_seed_is_a_packing(void **) {
-  const bool ok = same_seed_same_bytes();
-  assert_true(ok);
 }
 
 // FNV-1a over the bit patterns, coordinates first.
@@ -188,11 +162,7 @@ bool hash_is(int dimension, uint64_t expected) {
 }
 
 // Packings are test data of others: the same on every machine and for every later version.
-void packings_stay_what_they_were(void **) {
-  const bool ok3 = hash_is(3, 0xc5f839201c9dbed4u), ok2 = hash_is(2, 0x854d53514629e1f8u);
-  assert_true(ok3);
-  assert_true(ok2);
-}
+bool packings_stay_what_they_were() { return hash_is(3, 0xc5f839201c9dbed4u) && hash_is(2, 0x854d53514629e1f8u); }
 
 // Two disks at one place: each goes its way along x by its share of the push.
 bool coincident_centers_part() {
@@ -203,11 +173,6 @@ bool coincident_centers_part() {
   const packing::Overlaps left = packing::relax(box, 60, nullptr, set);
   return left.largest < 1e-6 && set.centers[0] < 9.1 && set.centers[2] > 10.9 && set.centers[1] == 10 &&
          set.centers[3] == 10;
-}
-
-void coincident_centers(void **) {
-  const bool ok = coincident_centers_part();
-  assert_true(ok);
 }
 
 // The pushes of one contact leave the centre of mass, masses ~ r^d, where it was.
@@ -224,74 +189,49 @@ bool center_of_mass_stays(int dimension) {
   return set.centers[d] > 53.9 && set.centers[0] < 50 && std::fabs(after - before) < 1e-9;
 }
 
-void a_contact_keeps_the_center_of_mass(void **) {
-  bool ok = center_of_mass_stays(2);
-  assert_true(ok);
-  ok = center_of_mass_stays(3);
-  assert_true(ok);
-}
-
-bool refuses(const packing::Request &request, const std::string &text) {
-  try {
-    packing::make_packing(request, nullptr);
-  } catch (const particles::Error &error) {
-    if (std::string(error.what()).find(text) != std::string::npos) return true;
-    std::fprintf(stderr, "refused with: %s\n", error.what());
-    return false;
-  }
-  std::fprintf(stderr, "not refused: expected '%s'\n", text.c_str());
-  return false;
-}
+bool a_contact_keeps_the_center_of_mass() { return center_of_mass_stays(2) && center_of_mass_stays(3); }
 
 template <class Change>
-bool refuses_after(Change change, const std::string &text) {
+bool refuses(Change change, const std::string &text) {
   packing::Request request = request_of(Law::kUniformVolume, 8, 3);
   change(request);
-  return refuses(request, text);
+  return test::is_refused(text, [&] { packing::make_packing(request, nullptr); });
 }
 
-bool refuses_nonsense() {
+bool nonsense_is_refused() {
   using packing::Request;
-  return refuses_after([](Request &r) { r.count = 0; }, "count") &&
-         refuses_after([](Request &r) { r.density = 0; }, "density") &&
-         refuses_after([](Request &r) { r.density = 1; }, "not at 1") &&
-         refuses_after([](Request &r) { r.density = NAN; }, "not at nan") &&
-         refuses_after([](Request &r) { r.law.ratio = 0.5; }, "not 0.5") &&
-         refuses_after([](Request &r) { r.law.ratio = INFINITY; }, "not inf") &&
-         refuses_after([](Request &r) { r.law.dimension = 4; }, "not 4") &&
-         refuses_after([](Request &r) { r.offset = 1; }, "[0, 1)") &&
-         refuses_after([](Request &r) { r.sweeps = -1; }, "-1") &&
-         refuses_after([](Request &r) { r.law = packing::law_with("power-law", 8), r.law.exponent = 1; }, "9, not 1") &&
-         refuses_after([](Request &r) { r.law = packing::law_with("power-law", 8), r.law.exponent = 2.5; },
-                       "not 2.5") &&
-         refuses_after([](Request &r) { r.law = packing::law_with("log-normal", NAN); }, "up to 3, not nan") &&
-         refuses_after(
+  return refuses([](Request &r) { r.count = 0; }, "count") && refuses([](Request &r) { r.density = 0; }, "density") &&
+         refuses([](Request &r) { r.density = 1; }, "not at 1") &&
+         refuses([](Request &r) { r.density = NAN; }, "not at nan") &&
+         refuses([](Request &r) { r.law.ratio = 0.5; }, "not 0.5") &&
+         refuses([](Request &r) { r.law.ratio = INFINITY; }, "not inf") &&
+         refuses([](Request &r) { r.law.dimension = 4; }, "not 4") &&
+         refuses([](Request &r) { r.offset = 1; }, "[0, 1)") && refuses([](Request &r) { r.sweeps = -1; }, "-1") &&
+         refuses([](Request &r) { r.law = packing::law_with("power-law", 8), r.law.exponent = 1; }, "9, not 1") &&
+         refuses([](Request &r) { r.law = packing::law_with("power-law", 8), r.law.exponent = 2.5; }, "not 2.5") &&
+         refuses([](Request &r) { r.law = packing::law_with("log-normal", NAN); }, "up to 3, not nan") &&
+         refuses(
              [](Request &r) {
                r.law = {Law::kTwoSizes, 50, 3};
              },
              "more than 2000 particles") &&
-         refuses_after([](Request &r) { r.count = 1, r.density = 0.9; }, "smaller than the largest particle") &&
-         refuses_after(
+         refuses([](Request &r) { r.count = 1, r.density = 0.9; }, "smaller than the largest particle") &&
+         refuses(
              [](Request &r) {
                r.count = 20, r.periodic = {true, true, true};
              },
              "two of the largest diameter");
 }
 
-void nonsense_is_refused(void **) {
-  const bool ok = refuses_nonsense();
-  assert_true(ok);
-}
-
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(spheres_of_all_laws),   cmocka_unit_test(disks_of_all_laws),
-      cmocka_unit_test(spheres_of_other_laws), cmocka_unit_test(periodic_axes),
-      cmocka_unit_test(a_seed_is_a_packing),   cmocka_unit_test(packings_stay_what_they_were),
-      cmocka_unit_test(coincident_centers),    cmocka_unit_test(a_contact_keeps_the_center_of_mass),
-      cmocka_unit_test(nonsense_is_refused),
+      cmocka_unit_test(passes<spheres_of_the_paper>),     cmocka_unit_test(passes<disks_of_the_paper>),
+      cmocka_unit_test(passes<spheres_of_other_laws>),           cmocka_unit_test(passes<periodic_axes>),
+      cmocka_unit_test(passes<same_seed_same_bytes>),    cmocka_unit_test(passes<packings_stay_what_they_were>),
+      cmocka_unit_test(passes<coincident_centers_part>), cmocka_unit_test(passes<a_contact_keeps_the_center_of_mass>),
+      cmocka_unit_test(passes<nonsense_is_refused>),
   };
   return cmocka_run_group_tests_name("packing", tests, nullptr, nullptr);
 }

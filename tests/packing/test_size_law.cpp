@@ -5,6 +5,7 @@
 #include "particles/error.hpp"
 #include "tests/particles/cmocka_cpp.hpp"
 #include "tests/particles/page.hpp"
+#include "tests/support/refusal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,15 +39,9 @@ bool largest_radius_is(double omega, size_t count, double expected) {
          near("largest radius", radii.back(), expected, 1e-4);
 }
 
-void largest_sampled_radius(void **) {
-  bool ok = largest_radius_is(50, kCount, 49.752);
-  assert_true(ok);
-  ok = largest_radius_is(100, kCount, 98.06);
-  assert_true(ok);
-  ok = largest_radius_is(1000, kCount, 447.2);
-  assert_true(ok);
-  ok = largest_radius_is(1000, 1000000, 816.5);
-  assert_true(ok);
+bool largest_sampled_radius() {
+  return largest_radius_is(50, kCount, 49.752) && largest_radius_is(100, kCount, 98.06) &&
+         largest_radius_is(1000, kCount, 447.2) && largest_radius_is(1000, 1000000, 816.5);
 }
 
 bool edge_is(const SizeLaw &law, double expected) {
@@ -54,17 +49,10 @@ bool edge_is(const SizeLaw &law, double expected) {
   return near("box edge", packing::box_edge(radii, kDensity, law.dimension), expected, 1e-8);
 }
 
-void box_edges(void **) {
-  bool ok = edge_is({Law::kUniformVolume, 50, 3}, 435.847842);
-  assert_true(ok);
-  ok = edge_is({Law::kUniformSize, 50, 3}, 2997.4004);
-  assert_true(ok);
-  ok = edge_is({Law::kUniformVolume, 10, 3}, 248.551222);
-  assert_true(ok);
-  ok = edge_is({Law::kUniformVolume, 100, 3}, 550.905551);
-  assert_true(ok);
-  ok = edge_is({Law::kTwoSizes, 10, 3}, 119.071316);
-  assert_true(ok);
+bool box_edges() {
+  return edge_is({Law::kUniformVolume, 50, 3}, 435.847842) && edge_is({Law::kUniformSize, 50, 3}, 2997.4004) &&
+         edge_is({Law::kUniformVolume, 10, 3}, 248.551222) && edge_is({Law::kUniformVolume, 100, 3}, 550.905551) &&
+         edge_is({Law::kTwoSizes, 10, 3}, 119.071316);
 }
 
 // Sampling error of the midpoint rule: largest for <r^3>, whose weight lies in the few large radii.
@@ -88,13 +76,9 @@ bool moments_of_uniform_area(double omega) {
          near("<r^2>", moment(radii, 2), omega, 1e-3);
 }
 
-void moments(void **) {
-  bool ok = moments_of_uniform_volume(50) && moments_of_uniform_volume(10);
-  assert_true(ok);
-  ok = moments_of_uniform_size(50);
-  assert_true(ok);
-  ok = moments_of_uniform_area(50);
-  assert_true(ok);
+bool moments() {
+  return moments_of_uniform_volume(50) && moments_of_uniform_volume(10) && moments_of_uniform_size(50) &&
+         moments_of_uniform_area(50);
 }
 
 // p(r) ~ r^-a: <r^n> = (a-1)/(a-1-n) (1 - omega^(n+1-a)) / (1 - omega^(1-a)), with a logarithm at n = a - 1.
@@ -111,10 +95,7 @@ bool moments_of_power_law(int a) {
 }
 
 void power_laws(void **) {
-  for (int a = 2; a <= 6; a++) {
-    const bool ok = moments_of_power_law(a);
-    assert_true(ok);
-  }
+  for (int a = 2; a <= 6; a++) assert_true(moments_of_power_law(a));
 }
 
 bool uniform_volume_is_a_power_law() {
@@ -122,11 +103,6 @@ bool uniform_volume_is_a_power_law() {
              packing::sample_radii({Law::kUniformVolume, 50, 3}, 1000, 0.5) &&
          packing::sample_radii({Law::kPowerLaw, 50, 2, 2}, 1000, 0.5) ==
              packing::sample_radii({Law::kUniformVolume, 50, 2}, 1000, 0.5);
-}
-
-void a_power_law_of_equal_volumes(void **) {
-  const bool ok = uniform_volume_is_a_power_law();
-  assert_true(ok);
 }
 
 // <r^n> = exp(n^2 sigma^2 / 2); the sample misses the tail beyond 4.5 sigma, which counts for high moments.
@@ -140,21 +116,11 @@ bool moments_of_log_normal(double sigma, double relative) {
          near("<r^3>", moment(radii, 3), std::exp(4.5 * sigma * sigma), 20 * relative);
 }
 
-void log_normal(void **) {
-  bool ok = moments_of_log_normal(0.3, 1e-4);
-  assert_true(ok);
-  ok = moments_of_log_normal(1, 6e-3);
-  assert_true(ok);
-}
+bool log_normal() { return moments_of_log_normal(0.3, 1e-4) && moments_of_log_normal(1, 6e-3); }
 
 bool giant_is_one() {
   const std::vector<double> radii = packing::sample_radii({Law::kOneGiant, 30, 3}, 1000, 0.5);
   return std::count(radii.begin(), radii.end(), 1.0) == 999 && radii.back() == 30;
-}
-
-void one_giant(void **) {
-  const bool ok = giant_is_one();
-  assert_true(ok);
 }
 
 // Every interval of radii as wide holds as much volume: the name of the law.
@@ -164,11 +130,6 @@ bool volume_is_uniform() {
   double volume[3] = {0, 0, 0};
   for (const double r : radii) volume[std::min(static_cast<int>((r - 1) / 3), 2)] += r * r * r;
   return near("volume", volume[1], volume[0], 0.01) && near("volume", volume[2], volume[0], 0.01);
-}
-
-void equal_intervals_hold_equal_volume(void **) {
-  const bool ok = volume_is_uniform();
-  assert_true(ok);
 }
 
 bool two_sizes_hold_equal_volume() {
@@ -183,12 +144,7 @@ bool two_sizes_in_the_plane() {
   return std::count(radii.begin(), radii.end(), 10.0) == 10 && radii[999] == 1 && radii[1000] == 10;
 }
 
-void two_sizes(void **) {
-  bool ok = two_sizes_hold_equal_volume();
-  assert_true(ok);
-  ok = two_sizes_in_the_plane();
-  assert_true(ok);
-}
+bool two_sizes() { return two_sizes_hold_equal_volume() && two_sizes_in_the_plane(); }
 
 bool mono_is_all_ones() {
   const std::vector<double> radii = packing::sample_radii({Law::kMono, 1, 3}, 1000, 0.5);
@@ -197,8 +153,7 @@ bool mono_is_all_ones() {
 
 // N disks of radius 1 at density nu: S^2 = N pi / nu; spheres: S^3 = N 4 pi / (3 nu).
 void mono(void **) {
-  const bool ok = mono_is_all_ones();
-  assert_true(ok);
+  assert_true(mono_is_all_ones());
   const double edge2 = packing::box_edge(std::vector<double>(100, 1.0), 0.5, 2);
   const double edge3 = packing::box_edge(std::vector<double>(1000, 0.01), 0.5, 3);
   assert_true(std::fabs(edge2 - 25.0662827463) < 1e-9);
@@ -209,22 +164,6 @@ bool offset_shifts_the_sample() {
   const SizeLaw law{Law::kUniformSize, 3, 3};
   const std::vector<double> radii = packing::sample_radii(law, 4, 0.25);
   return radii == std::vector<double>{1.125, 1.625, 2.125, 2.625};
-}
-
-void offset(void **) {
-  const bool ok = offset_shifts_the_sample();
-  assert_true(ok);
-}
-
-bool refuses_name(const std::string &name) {
-  try {
-    packing::usual_law(name);
-  } catch (const particles::Error &error) {
-    return std::string(error.what()) == "no size law is called '" + name +
-                                            "': use one of mono, two-sizes, uniform-size, uniform-volume, power-law, "
-                                            "log-normal, one-giant";
-  }
-  return false;
 }
 
 // A name gives its law with values that are allowed.
@@ -240,11 +179,10 @@ bool every_law_is_usual() {
          packing::law_with("log-normal", 0.5).sigma == 0.5 && packing::law_with("power-law", 7).ratio == 7;
 }
 
-void names(void **) {
-  bool ok = every_law_is_usual();
-  assert_true(ok);
-  ok = refuses_name("normal");
-  assert_true(ok);
+bool an_unknown_law_is_refused() {
+  return test::error_of([] { packing::usual_law("normal"); }) ==
+         "no size law is called 'normal': use one of mono, two-sizes, uniform-size, uniform-volume, power-law, "
+         "log-normal, one-giant";
 }
 
 const packing::LawParameter &parameter(const std::string &name) {
@@ -284,29 +222,25 @@ bool page_tells_all() {
   return true;
 }
 
-void the_page_tells_every_law(void **) {
-  const bool ok = page_tells_all();
-  assert_true(ok);
-}
-
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(largest_sampled_radius),
-      cmocka_unit_test(box_edges),
-      cmocka_unit_test(moments),
+      cmocka_unit_test(passes<largest_sampled_radius>),
+      cmocka_unit_test(passes<box_edges>),
+      cmocka_unit_test(passes<moments>),
       cmocka_unit_test(power_laws),
-      cmocka_unit_test(a_power_law_of_equal_volumes),
-      cmocka_unit_test(log_normal),
-      cmocka_unit_test(one_giant),
-      cmocka_unit_test(equal_intervals_hold_equal_volume),
-      cmocka_unit_test(two_sizes),
+      cmocka_unit_test(passes<uniform_volume_is_a_power_law>),
+      cmocka_unit_test(passes<log_normal>),
+      cmocka_unit_test(passes<giant_is_one>),
+      cmocka_unit_test(passes<volume_is_uniform>),
+      cmocka_unit_test(passes<two_sizes>),
       cmocka_unit_test(mono),
-      cmocka_unit_test(offset),
-      cmocka_unit_test(names),
+      cmocka_unit_test(passes<offset_shifts_the_sample>),
+      cmocka_unit_test(passes<every_law_is_usual>),
+      cmocka_unit_test(passes<an_unknown_law_is_refused>),
       cmocka_unit_test(parameters),
-      cmocka_unit_test(the_page_tells_every_law),
+      cmocka_unit_test(passes<page_tells_all>),
   };
   return cmocka_run_group_tests_name("size_law", tests, nullptr, nullptr);
 }

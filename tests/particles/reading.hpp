@@ -12,6 +12,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <fstream>
@@ -81,6 +82,27 @@ inline bool refuses(const std::string &ending, const std::string &text, const st
     std::fprintf(stderr, "refused with  %s\ninstead of    %s:%s\n", error.what(), file.name().c_str(), message.c_str());
   }
   return false;
+}
+
+struct Refusal {
+  std::string text, message;
+};
+
+inline bool refuses_each(const std::string &ending, const std::vector<Refusal> &refusals) {
+  return std::all_of(refusals.begin(), refusals.end(),
+                     [&](const Refusal &refusal) { return refuses(ending, refusal.text, refusal.message); });
+}
+
+inline particles::ReadOptions of_dimension(int dimension) {
+  particles::ReadOptions options;
+  options.dimension = dimension;
+  return options;
+}
+
+inline particles::ReadOptions of_frame(size_t frame) {
+  particles::ReadOptions options;
+  options.frame = frame;
+  return options;
 }
 
 inline particles::ParticleSet set_of(int dimension, std::vector<double> centers, std::vector<double> radii) {

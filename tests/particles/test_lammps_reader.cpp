@@ -4,8 +4,11 @@
 #include "tests/particles/cmocka_cpp.hpp"
 #include "tests/particles/reading.hpp"
 
+using test::of_dimension;
+using test::of_frame;
 using test::reads;
 using test::refuses;
+using test::refuses_each;
 using test::set_of;
 using test::with_box;
 
@@ -18,114 +21,82 @@ particles::ParticleSet boxed(std::vector<double> centers, std::vector<double> ra
   return with_box(set_of(3, std::move(centers), std::move(radii)), {-1, 0, 0.5}, {3, 4, 2.5}, {1, 0, 1});
 }
 
-void reads_one_frame(void **) {
+bool reads_one_frame() {
   const particles::ParticleSet two = boxed({1, 2, 1, 0, 1, 2}, {0.5, 0.25});
-  bool ok = reads(".dump", kHead + "ITEM: ATOMS id type x y z radius\n2 1 1 2 1 0.5\n1 1 0 1 2 0.25\n", two);
-  assert_true(ok);
-  ok = reads(".x", kHead + "ITEM: ATOMS diameter xu yu zu \n1 1 2 1 \n0.5 0 1 2 \n", two);
-  assert_true(ok);
-  ok = reads(".x",
-             "ITEM: UNITS\nsi\nITEM: TIME\n0.5\n" + kHead + "ITEM: ATOMS x y z radius\r\n1 2 1 .5\r\n0 1 2 .25\r\n",
-             two);
-  assert_true(ok);
+  return reads(".dump", kHead + "ITEM: ATOMS id type x y z radius\n2 1 1 2 1 0.5\n1 1 0 1 2 0.25\n", two) &&
+         reads(".x", kHead + "ITEM: ATOMS diameter xu yu zu \n1 1 2 1 \n0.5 0 1 2 \n", two) &&
+         reads(".x",
+               "ITEM: UNITS\nsi\nITEM: TIME\n0.5\n" + kHead + "ITEM: ATOMS x y z radius\r\n1 2 1 .5\r\n0 1 2 .25\r\n",
+               two);
 }
 
-void reads_scaled_coordinates(void **) {
-  const bool ok = reads(".dump", kHead + "ITEM: ATOMS xs ys zs radius\n0.5 0.5 0.25 0.5\n0.25 0.25 0.75 0.25\n",
-                        boxed({1, 2, 1, 0, 1, 2}, {0.5, 0.25}));
-  assert_true(ok);
+bool reads_scaled_coordinates() {
+  return reads(".dump", kHead + "ITEM: ATOMS xs ys zs radius\n0.5 0.5 0.25 0.5\n0.25 0.25 0.75 0.25\n",
+               boxed({1, 2, 1, 0, 1, 2}, {0.5, 0.25}));
 }
 
-void reads_the_frame_asked_for(void **) {
-  const std::string text = kHead + "ITEM: ATOMS x y z radius\n1 2 1 1\n0 1 2 1\n" + kHead +
-                           "ITEM: ATOMS x y z radius\n1 2 1 2\n0 1 2 2\n" + kHead +
-                           "ITEM: ATOMS x y z radius\n1 2 1 3\n0 1 2 3\n";
-  particles::ReadOptions options;
-  bool ok = reads(".dump", text, boxed({1, 2, 1, 0, 1, 2}, {3, 3}), options);
-  assert_true(ok);
-  options.frame = 1;
-  ok = reads(".dump", text, boxed({1, 2, 1, 0, 1, 2}, {1, 1}), options);
-  assert_true(ok);
-  options.frame = 2;
-  ok = reads(".dump", text, boxed({1, 2, 1, 0, 1, 2}, {2, 2}), options);
-  assert_true(ok);
-  options.frame = 4;
-  ok = refuses(".dump", text, "33: frame 4 of a file with 3", options);
-  assert_true(ok);
+std::string frame_of_radius(const std::string &radius) {
+  return kHead + "ITEM: ATOMS x y z radius\n1 2 1 " + radius + "\n0 1 2 " + radius + "\n";
 }
 
-void reads_a_plane(void **) {
-  particles::ReadOptions flat;
-  flat.dimension = 2;
-  const bool ok = reads(".dump", kHead + "ITEM: ATOMS x y z radius\n1 2 1 1\n0 1 1 1\n",
-                        with_box(set_of(2, {1, 2, 0, 1}, {1, 1}), {-1, 0, 0}, {3, 4, 0}, {1, 0, 0}), flat);
-  assert_true(ok);
+bool reads_the_frame_asked_for() {
+  const std::string text = frame_of_radius("1") + frame_of_radius("2") + frame_of_radius("3");
+  const std::vector<double> centers = {1, 2, 1, 0, 1, 2};
+  return reads(".dump", text, boxed(centers, {3, 3})) && reads(".dump", text, boxed(centers, {1, 1}), of_frame(1)) &&
+         reads(".dump", text, boxed(centers, {2, 2}), of_frame(2)) &&
+         refuses(".dump", text, "33: frame 4 of a file with 3", of_frame(4));
 }
 
-void refuses_bad_heads(void **) {
+bool reads_a_plane() {
+  return reads(".dump", kHead + "ITEM: ATOMS x y z radius\n1 2 1 1\n0 1 1 1\n",
+               with_box(set_of(2, {1, 2, 0, 1}, {1, 1}), {-1, 0, 0}, {3, 4, 0}, {1, 0, 0}), of_dimension(2));
+}
+
+bool refuses_bad_heads() {
   const std::string start = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n";
-  bool ok = refuses(".dump", start + "two\n", "4: the number of atoms should stand here, not 'two'");
-  assert_true(ok);
-  ok = refuses(".dump", start + "-2\n", "4: the number of atoms should stand here, not '-2'");
-  assert_true(ok);
-  ok = refuses(".dump", start, "3: the file ends here, the number of atoms is missing");
-  assert_true(ok);
-  ok = refuses(".dump", start + "1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 1 0\n0 1 0\n0 1 0\n",
-               "5: triclinic boxes cannot be read, this one is 'BOX BOUNDS xy xz yz pp pp pp'");
-  assert_true(ok);
-  ok = refuses(".dump", start + "1\nITEM: BOX BOUNDS\n0 1\n0 1\n0 1\n",
-               "5: the boundary flags (such as pp pp ff) are missing");
-  assert_true(ok);
-  ok = refuses(".dump", start + "1\nITEM: BOX BOUNDS pp pp xx\n", "5: the boundary flag 'xx' is unknown");
-  assert_true(ok);
-  ok = refuses(".dump", start + "1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 one\n", "7: 'one' is not a number");
-  assert_true(ok);
-  ok = refuses(".dump", start + "1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 -1\n",
-               "7: the upper bound '-1' lies below the lower bound '0'");
-  assert_true(ok);
-  ok = refuses(".dump", start + "1\nITEM: BOX BOUNDS pp pp pp\n0 1 2\n",
-               "6: a lower and an upper bound should stand here, not '0 1 2'");
-  assert_true(ok);
-  ok = refuses(".dump", start + "1\nITEM: ATOMS x y z radius\n",
-               "5: NUMBER OF ATOMS and BOX BOUNDS must stand before ATOMS");
-  assert_true(ok);
-  ok = refuses(".dump", start + "1\nITEM: ENTRIES c_1\n", "5: the section 'ENTRIES c_1' is unknown");
-  assert_true(ok);
+  return refuses_each(
+      ".dump",
+      {{start + "two\n", "4: the number of atoms should stand here, not 'two'"},
+       {start + "-2\n", "4: the number of atoms should stand here, not '-2'"},
+       {start, "3: the file ends here, the number of atoms is missing"},
+       {start + "1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 1 0\n0 1 0\n0 1 0\n",
+        "5: triclinic boxes cannot be read, this one is 'BOX BOUNDS xy xz yz pp pp pp'"},
+       {start + "1\nITEM: BOX BOUNDS\n0 1\n0 1\n0 1\n", "5: the boundary flags (such as pp pp ff) are missing"},
+       {start + "1\nITEM: BOX BOUNDS pp pp xx\n", "5: the boundary flag 'xx' is unknown"},
+       {start + "1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 one\n", "7: 'one' is not a number"},
+       {start + "1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 -1\n", "7: the upper bound '-1' lies below the lower bound '0'"},
+       {start + "1\nITEM: BOX BOUNDS pp pp pp\n0 1 2\n",
+        "6: a lower and an upper bound should stand here, not '0 1 2'"},
+       {start + "1\nITEM: ATOMS x y z radius\n", "5: NUMBER OF ATOMS and BOX BOUNDS must stand before ATOMS"},
+       {start + "1\nITEM: ENTRIES c_1\n", "5: the section 'ENTRIES c_1' is unknown"}});
 }
 
-void refuses_missing_columns(void **) {
-  bool ok = refuses(".dump", kHead + "ITEM: ATOMS id x y z\n1 0 0 0\n2 0 0 0\n",
-                    "9: no column radius, r, diameter or d among 'id, x, y, z'");
-  assert_true(ok);
-  ok = refuses(".dump", kHead + "ITEM: ATOMS id x z radius\n1 0 0 0\n2 0 0 0\n",
-               "9: no column y among 'id, x, z, radius'");
-  assert_true(ok);
+bool refuses_missing_columns() {
+  return refuses_each(
+      ".dump", {{kHead + "ITEM: ATOMS id x y z\n1 0 0 0\n2 0 0 0\n",
+                 "9: no column radius, r, diameter or d among 'id, x, y, z'"},
+                {kHead + "ITEM: ATOMS id x z radius\n1 0 0 0\n2 0 0 0\n", "9: no column y among 'id, x, z, radius'"}});
 }
 
-void refuses_bad_rows(void **) {
+bool refuses_bad_rows() {
   const std::string head = kHead + "ITEM: ATOMS x y z radius\n1 2 1 0.5\n";
-  bool ok = refuses(".dump", head + "1 2 NaN 0.5\n", "11: 'NaN' in column 'z' is not finite");
-  assert_true(ok);
-  ok = refuses(".dump", head + "1 2 3 -1\n", "11: '-1' in column 'radius' is negative");
-  assert_true(ok);
-  ok = refuses(".dump", head + "1 2 3\n", "11: 3 values in '1 2 3' where there should be 4");
-  assert_true(ok);
-  ok = refuses(".dump", head, "10: the file ends here with 1 of 2 atoms");
-  assert_true(ok);
-  ok = refuses(".dump", head + "0 1 2 1\n0 1 2 1\n", "12: a line 'ITEM: ...' should stand here, not '0 1 2 1'");
-  assert_true(ok);
-  ok = refuses(".dump", kHead, "8: the file ends here, the line 'ITEM: ATOMS ...' is missing");
-  assert_true(ok);
+  return refuses_each(".dump",
+                      {{head + "1 2 NaN 0.5\n", "11: 'NaN' in column 'z' is not finite"},
+                       {head + "1 2 3 -1\n", "11: '-1' in column 'radius' is negative"},
+                       {head + "1 2 3\n", "11: 3 values in '1 2 3' where there should be 4"},
+                       {head, "10: the file ends here with 1 of 2 atoms"},
+                       {head + "0 1 2 1\n0 1 2 1\n", "12: a line 'ITEM: ...' should stand here, not '0 1 2 1'"},
+                       {kHead, "8: the file ends here, the line 'ITEM: ATOMS ...' is missing"}});
 }
 
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(reads_one_frame),           cmocka_unit_test(reads_scaled_coordinates),
-      cmocka_unit_test(reads_the_frame_asked_for), cmocka_unit_test(reads_a_plane),
-      cmocka_unit_test(refuses_bad_heads),         cmocka_unit_test(refuses_missing_columns),
-      cmocka_unit_test(refuses_bad_rows),
+      cmocka_unit_test(passes<reads_one_frame>),           cmocka_unit_test(passes<reads_scaled_coordinates>),
+      cmocka_unit_test(passes<reads_the_frame_asked_for>), cmocka_unit_test(passes<reads_a_plane>),
+      cmocka_unit_test(passes<refuses_bad_heads>),         cmocka_unit_test(passes<refuses_missing_columns>),
+      cmocka_unit_test(passes<refuses_bad_rows>),
   };
   return cmocka_run_group_tests_name("lammps_reader", tests, nullptr, nullptr);
 }

@@ -7,13 +7,16 @@
 #include "tests/particles/cmocka_cpp.hpp"
 #include "tests/particles/page.hpp"
 #include "tests/particles/reading.hpp"
+#include "tests/support/refusal.hpp"
 #include "tests/support/rng.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <limits>
 
+using test::of_dimension;
 using test::refuses;
 using test::with_box;
 
@@ -58,24 +61,17 @@ bool survives(const particles::Format &format, const particles::ParticleSet &set
   return false;
 }
 
-void round_trip_without_box(void **) {
-  bool ok = survives(format("csv"), random_set(3, 500));
-  assert_true(ok);
-  ok = survives(format("xyz"), random_set(3, 500));
-  assert_true(ok);
-  ok = survives(format("csv"), random_set(2, 500));
-  assert_true(ok);
+bool round_trip_without_box() {
+  return survives(format("csv"), random_set(3, 500)) && survives(format("xyz"), random_set(3, 500)) &&
+         survives(format("csv"), random_set(2, 500));
 }
 
-void round_trip_with_box(void **) {
-  particles::ReadOptions flat;
-  flat.dimension = 2;
-  for (const particles::Format &format : particles::readable_formats()) {
-    bool ok = survives(format, with_box(random_set(3, 500), {0, 0, -0.5}, {0.1, 1e-300, 0.5}, {1, 0, 1}));
-    assert_true(ok);
-    ok = survives(format, with_box(random_set(2, 500), {0, -8, 0}, {0.3, 8, 0}, {1, 0, 0}), flat);
-    assert_true(ok);
-  }
+bool round_trip_with_box() {
+  const auto &formats = particles::readable_formats();
+  return std::all_of(formats.begin(), formats.end(), [](const particles::Format &format) {
+    return survives(format, with_box(random_set(3, 500), {0, 0, -0.5}, {0.1, 1e-300, 0.5}, {1, 0, 1})) &&
+           survives(format, with_box(random_set(2, 500), {0, -8, 0}, {0.3, 8, 0}, {1, 0, 0}), of_dimension(2));
+  });
 }
 
 // No box: a dump must have bounds all the same, those of the spheres.
@@ -87,27 +83,12 @@ bool lammps_bounds_enclose_the_spheres() {
                     with_box(test::set_of(3, {0, 1, 2, 8, 1, -2}, {0.5, 1}), {-0.5, 0, -3}, {9, 2, 2.5}, {0, 0, 0}));
 }
 
-void lammps_without_box(void **) {
-  const bool ok = lammps_bounds_enclose_the_spheres();
-  assert_true(ok);
-}
-
 // -0.7 + (0.9 + 0.7) is not 0.9 in doubles.
 bool xyz_refuses_a_box_it_would_change() {
   const test::ScratchFile file(".xyz", "kept");
-  try {
-    particles::write_particles(file.name(), format("xyz"),
-                               with_box(test::set_of(3, {0.5, 0.5, 0.5}, {0.1}), {0, -0.7, 0}, {1, 0.9, 1}, {0, 1, 0}));
-  } catch (const particles::Error &error) {
-    return std::string(error.what()).find("axis y") != std::string::npos &&
-           std::filesystem::file_size(file.name()) == 4;
-  }
-  return false;
-}
-
-void xyz_box_is_kept_or_refused(void **) {
-  const bool ok = xyz_refuses_a_box_it_would_change();
-  assert_true(ok);
+  const auto set = with_box(test::set_of(3, {0.5, 0.5, 0.5}, {0.1}), {0, -0.7, 0}, {1, 0.9, 1}, {0, 1, 0});
+  return test::is_refused("axis y", [&] { particles::write_particles(file.name(), format("xyz"), set); }) &&
+         std::filesystem::file_size(file.name()) == 4;
 }
 
 bool is(const particles::Format *found, const char *word) { return found == &format(word); }
@@ -129,26 +110,20 @@ void formats_are_recognised(void **) {
   assert_null(particles::format_of_word("pdb"));
 }
 
-void a_forced_format_wins(void **) {
-  particles::ReadOptions csv;
-  csv.format = &format("csv");
-  bool ok = refuses(".csv", "3\nProperties=pos:R:3\n",
-                    "1: the first line must name the columns (such as x,y,z,radius), but it holds '3'", csv);
-  assert_true(ok);
-  particles::ReadOptions xyz;
-  xyz.format = &format("xyz");
-  ok = refuses(".csv", "x,y,z,r\n", "1: the number of particles should stand here, not 'x,y,z,r'", xyz);
-  assert_true(ok);
+particles::ReadOptions as(const char *word) {
+  particles::ReadOptions options;
+  options.format = &format(word);
+  return options;
+}
+
+bool a_forced_format_wins() {
+  return refuses(".csv", "3\nProperties=pos:R:3\n",
+                 "1: the first line must name the columns (such as x,y,z,radius), but it holds '3'", as("csv")) &&
+         refuses(".csv", "x,y,z,r\n", "1: the number of particles should stand here, not 'x,y,z,r'", as("xyz"));
 }
 
 bool refuses_path(const std::string &path, const std::string &message) {
-  try {
-    particles::read_particles(path);
-  } catch (const particles::Error &error) {
-    if (error.what() == message) return true;
-    std::fprintf(stderr, "refused with %s\n", error.what());
-  }
-  return false;
+  return test::error_of([&] { particles::read_particles(path); }) == path + message;
 }
 
 // Two disks of a simulation in a flat box, one of which nothing moves.
@@ -183,22 +158,15 @@ void further_columns_are_written(void **) {
 
 // Readers pass over them.
 bool columns_are_skipped() {
-  particles::ReadOptions flat;
-  flat.dimension = 2;
   particles::ParticleSet expected = disks_in_motion();
   expected.box_max[2] = 0;
   for (const particles::Format &format : particles::readable_formats()) {
     const test::ScratchFile file(".any", text_of(format.name, disks_in_motion()));
-    if (test::same(particles::read_particles(file.name(), flat), expected)) continue;
+    if (test::same(particles::read_particles(file.name(), of_dimension(2)), expected)) continue;
     std::fprintf(stderr, "format %s: not the same\n", format.name);
     return false;
   }
   return true;
-}
-
-void further_columns_are_not_read(void **) {
-  const bool ok = columns_are_skipped();
-  assert_true(ok);
 }
 
 // docs/guide/command.md has a line for every row of the table.
@@ -211,39 +179,24 @@ bool page_tells_all() {
   return true;
 }
 
-void the_page_tells_every_format(void **) {
-  const bool ok = page_tells_all();
-  assert_true(ok);
-}
-
-void unreadable_files_are_refused(void **) {
-  bool ok = refuses(".csv", "", " the file is empty");
-  assert_true(ok);
-  ok = refuses_path("no/such/file.csv", "no/such/file.csv: cannot open: No such file or directory");
-  assert_true(ok);
-  ok = refuses_path(".", ".: cannot read: Is a directory");
-  assert_true(ok);
-  ok = refuses(".vtp", "<?xml", " VTK PolyData is only written, never read");
-  assert_true(ok);
+bool unreadable_files_are_refused() {
+  return refuses(".csv", "", " the file is empty") &&
+         refuses_path("no/such/file.csv", ": cannot open: No such file or directory") &&
+         refuses_path(".", ": cannot read: Is a directory") &&
+         refuses(".vtp", "<?xml", " VTK PolyData is only written, never read");
 }
 
 bool refuses_output(const std::string &path, const std::string &message) {
-  try {
-    particles::write_particles(path, format("csv"), test::set_of(3, {0, 0, 0}, {1}));
-  } catch (const particles::Error &error) {
-    if (error.what() == message) return true;
-    std::fprintf(stderr, "refused with %s\n", error.what());
-  }
-  return false;
+  return test::error_of([&] {
+           particles::write_particles(path, format("csv"), test::set_of(3, {0, 0, 0}, {1}));
+         }) == path + message;
 }
 
-void unwritable_files_are_reported(void **) {
-  bool ok = refuses_output("no/such/file.csv", "no/such/file.csv: cannot write: No such file or directory");
-  assert_true(ok);
-  // The full disk that Linux always has.
-  if (std::filesystem::exists("/dev/full"))
-    ok = refuses_output("/dev/full", "/dev/full: cannot write: No space left on device");
-  assert_true(ok);
+// The full disk that Linux always has.
+bool unwritable_files_are_reported() {
+  return refuses_output("no/such/file.csv", ": cannot write: No such file or directory") &&
+         (!std::filesystem::exists("/dev/full") ||
+          refuses_output("/dev/full", ": cannot write: No space left on device"));
 }
 
 // More than one buffer of text and of numbers.
@@ -260,21 +213,22 @@ bool long_output_is_complete() {
   return std::filesystem::file_size(file.name()) == expected;
 }
 
-void output_keeps_everything(void **) {
-  const bool ok = long_output_is_complete();
-  assert_true(ok);
-}
-
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(round_trip_without_box),       cmocka_unit_test(round_trip_with_box),
-      cmocka_unit_test(lammps_without_box),           cmocka_unit_test(xyz_box_is_kept_or_refused),
-      cmocka_unit_test(formats_are_recognised),       cmocka_unit_test(a_forced_format_wins),
-      cmocka_unit_test(unreadable_files_are_refused), cmocka_unit_test(unwritable_files_are_reported),
-      cmocka_unit_test(further_columns_are_written),  cmocka_unit_test(further_columns_are_not_read),
-      cmocka_unit_test(output_keeps_everything),      cmocka_unit_test(the_page_tells_every_format),
+      cmocka_unit_test(passes<round_trip_without_box>),
+      cmocka_unit_test(passes<round_trip_with_box>),
+      cmocka_unit_test(passes<lammps_bounds_enclose_the_spheres>),
+      cmocka_unit_test(passes<xyz_refuses_a_box_it_would_change>),
+      cmocka_unit_test(formats_are_recognised),
+      cmocka_unit_test(passes<a_forced_format_wins>),
+      cmocka_unit_test(passes<unreadable_files_are_refused>),
+      cmocka_unit_test(passes<unwritable_files_are_reported>),
+      cmocka_unit_test(further_columns_are_written),
+      cmocka_unit_test(passes<columns_are_skipped>),
+      cmocka_unit_test(passes<long_output_is_complete>),
+      cmocka_unit_test(passes<page_tells_all>),
   };
   return cmocka_run_group_tests_name("particle_files", tests, nullptr, nullptr);
 }

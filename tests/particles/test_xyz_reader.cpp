@@ -4,8 +4,10 @@
 #include "tests/particles/cmocka_cpp.hpp"
 #include "tests/particles/reading.hpp"
 
+using test::of_frame;
 using test::reads;
 using test::refuses;
+using test::refuses_each;
 using test::set_of;
 using test::with_box;
 
@@ -16,118 +18,85 @@ const std::string kRows = "A 1 2 3 0.5\nB 0 1 2 0.25\n";
 
 particles::ParticleSet two() { return set_of(3, {1, 2, 3, 0, 1, 2}, {0.5, 0.25}); }
 
-void reads_properties(void **) {
-  bool ok = reads(".xyz", "2\n" + kProperties + "\n" + kRows, two());
-  assert_true(ok);
-  ok = reads(".xyz",
-             " 2 \r\nTime=1.5 properties=diameter:R:1:velo:R:3:pos:R:3 note=\"a b = c\" done\r\n"
-             "1 9 9 9 1 2 3\r\n.5 9 9 9 0 1 2\r\n",
-             two());
-  assert_true(ok);
-  ok = reads(".xyz", "1\nProperties=pos:R:2:radius:R:1\n1 2 0.5\n", set_of(2, {1, 2}, {0.5}));
-  assert_true(ok);
+bool reads_properties() {
+  return reads(".xyz", "2\n" + kProperties + "\n" + kRows, two()) &&
+         reads(".xyz",
+               " 2 \r\nTime=1.5 properties=diameter:R:1:velo:R:3:pos:R:3 note=\"a b = c\" done\r\n"
+               "1 9 9 9 1 2 3\r\n.5 9 9 9 0 1 2\r\n",
+               two()) &&
+         reads(".xyz", "1\nProperties=pos:R:2:radius:R:1\n1 2 0.5\n", set_of(2, {1, 2}, {0.5}));
 }
 
-void reads_the_box(void **) {
+bool reads_the_box() {
   const std::string lattice = "Lattice=\"4 0 0 0 5 0 0 0 6\" ";
-  bool ok =
-      reads(".xyz", "2\n" + lattice + kProperties + "\n" + kRows, with_box(two(), {0, 0, 0}, {4, 5, 6}, {1, 1, 1}));
-  assert_true(ok);
-  ok = reads(".xyz", "2\n" + lattice + "Origin=\"-1 0 2\" pbc=\"T F 1\" " + kProperties + "\n" + kRows,
-             with_box(two(), {-1, 0, 2}, {3, 5, 8}, {1, 0, 1}));
-  assert_true(ok);
-  ok = reads(".xyz", "2\npbc=\"F F F\" " + kProperties + "\n" + kRows, two());
-  assert_true(ok);
+  return reads(".xyz", "2\n" + lattice + kProperties + "\n" + kRows,
+               with_box(two(), {0, 0, 0}, {4, 5, 6}, {1, 1, 1})) &&
+         reads(".xyz", "2\n" + lattice + "Origin=\"-1 0 2\" pbc=\"T F 1\" " + kProperties + "\n" + kRows,
+               with_box(two(), {-1, 0, 2}, {3, 5, 8}, {1, 0, 1})) &&
+         reads(".xyz", "2\npbc=\"F F F\" " + kProperties + "\n" + kRows, two());
 }
 
-void reads_the_frame_asked_for(void **) {
+bool reads_the_frame_asked_for() {
   const std::string text = "1\n" + kProperties + "\nA 0 0 0 1\n1\n" + kProperties + "\nA 0 0 0 2\n\n";
-  particles::ReadOptions options;
-  bool ok = reads(".xyz", text, set_of(3, {0, 0, 0}, {2}), options);
-  assert_true(ok);
-  options.frame = 1;
-  ok = reads(".xyz", text, set_of(3, {0, 0, 0}, {1}), options);
-  assert_true(ok);
-  options.frame = 3;
-  ok = refuses(".xyz", text, "7: frame 3 of a file with 2", options);
-  assert_true(ok);
+  return reads(".xyz", text, set_of(3, {0, 0, 0}, {2})) &&
+         reads(".xyz", text, set_of(3, {0, 0, 0}, {1}), of_frame(1)) &&
+         refuses(".xyz", text, "7: frame 3 of a file with 2", of_frame(3));
 }
 
-void refuses_bad_boxes(void **) {
-  bool ok = refuses(".xyz", "1\nLattice=\"4 0 0 1 5 0 0 0 6\" " + kProperties + "\nA 0 0 0 1\n",
-                    "2: only boxes along the axes can be read, but the Lattice is '4 0 0 1 5 0 0 0 6'");
-  assert_true(ok);
-  ok = refuses(".xyz", "1\nLattice=\"4 0 0\" " + kProperties + "\nA 0 0 0 1\n",
-               "2: Lattice must hold 9 numbers, but it is '4 0 0'");
-  assert_true(ok);
-  ok = refuses(".xyz", "1\nLattice=\"4 0 0 0 5 0 0 0 inf\" " + kProperties + "\nA 0 0 0 1\n",
-               "2: Lattice: 'inf' is not finite");
-  assert_true(ok);
-  ok = refuses(".xyz", "1\nLattice=\"4 0 0 0 5 0 0 0 -6\" " + kProperties + "\nA 0 0 0 1\n",
-               "2: the Lattice '4 0 0 0 5 0 0 0 -6' has a negative edge");
-  assert_true(ok);
-  ok = refuses(".xyz", "1\npbc=\"T F F\" " + kProperties + "\nA 0 0 0 1\n",
-               "2: pbc has a periodic axis, but there is no Lattice");
-  assert_true(ok);
-  ok = refuses(".xyz", "1\npbc=\"T F\" " + kProperties + "\nA 0 0 0 1\n",
-               "2: pbc must hold three flags, but it is 'T F'");
-  assert_true(ok);
-  ok = refuses(".xyz", "1\npbc=\"F F maybe\" " + kProperties + "\nA 0 0 0 1\n",
-               "2: pbc: the flag 'maybe' is neither T nor F");
-  assert_true(ok);
+// One particle, described by these keys and the properties.
+std::string one_with(const std::string &keys) { return "1\n" + keys + " " + kProperties + "\nA 0 0 0 1\n"; }
+
+bool refuses_bad_boxes() {
+  return refuses_each(
+      ".xyz", {{one_with("Lattice=\"4 0 0 1 5 0 0 0 6\""),
+                "2: only boxes along the axes can be read, but the Lattice is '4 0 0 1 5 0 0 0 6'"},
+               {one_with("Lattice=\"4 0 0\""), "2: Lattice must hold 9 numbers, but it is '4 0 0'"},
+               {one_with("Lattice=\"4 0 0 0 5 0 0 0 inf\""), "2: Lattice: 'inf' is not finite"},
+               {one_with("Lattice=\"4 0 0 0 5 0 0 0 -6\""), "2: the Lattice '4 0 0 0 5 0 0 0 -6' has a negative edge"},
+               {one_with("pbc=\"T F F\""), "2: pbc has a periodic axis, but there is no Lattice"},
+               {one_with("pbc=\"T F\""), "2: pbc must hold three flags, but it is 'T F'"},
+               {one_with("pbc=\"F F maybe\""), "2: pbc: the flag 'maybe' is neither T nor F"}});
 }
 
-void refuses_bad_keys(void **) {
-  bool ok = refuses(".xyz", "1\nplain\nA 0 0 0 1\n", "2: no Properties=... that names pos and radius");
-  assert_true(ok);
-  ok = refuses(".xyz", "1\nProperties=species:S:1:pos:R:3\nA 0 0 0\n",
-               "2: no column radius, r, diameter or d among 'species, x, y, z'");
-  assert_true(ok);
-  ok = refuses(".xyz", "1\nProperties=species:S:1:radius:R:1\nA 1\n",
-               "2: Properties 'species:S:1:radius:R:1' does not name pos");
-  assert_true(ok);
-  ok = refuses(".xyz", "1\nProperties=pos:R:three\nA 1\n",
-               "2: Properties must be name:type:columns:..., but it is 'pos:R:three'");
-  assert_true(ok);
-  ok = refuses(".xyz", "1\nProperties=pos:R:4:radius:R:1\nA 1\n", "2: pos must have 2 or 3 columns, not '4'");
-  assert_true(ok);
-  ok = refuses(".xyz", "1\nnote=\"open " + kProperties + "\nA 0 0 0 1\n", "2: the quote after 'note' does not end");
-  assert_true(ok);
-  ok = refuses(".xyz", "1\nt=1 t=2 " + kProperties + "\nA 0 0 0 1\n", "2: the key 't' is given twice");
-  assert_true(ok);
+bool refuses_bad_keys() {
+  return refuses_each(
+      ".xyz",
+      {{"1\nplain\nA 0 0 0 1\n", "2: no Properties=... that names pos and radius"},
+       {"1\nProperties=species:S:1:pos:R:3\nA 0 0 0\n",
+        "2: no column radius, r, diameter or d among 'species, x, y, z'"},
+       {"1\nProperties=species:S:1:radius:R:1\nA 1\n", "2: Properties 'species:S:1:radius:R:1' does not name pos"},
+       {"1\nProperties=pos:R:three\nA 1\n", "2: Properties must be name:type:columns:..., but it is 'pos:R:three'"},
+       {"1\nProperties=pos:R:4:radius:R:1\nA 1\n", "2: pos must have 2 or 3 columns, not '4'"},
+       {one_with("note=\"open"), "2: the quote after 'note' does not end"},
+       {one_with("t=1 t=2"), "2: the key 't' is given twice"}});
 }
 
-void refuses_bad_rows(void **) {
-  const std::string head = "2\n" + kProperties + "\nA 1 2 3 0.5\n";
-  bool ok = refuses(".xyz", head, "3: the file ends here with 1 of 2 particles");
-  assert_true(ok);
-  particles::ReadOptions first;
-  first.frame = 1;
-  ok = refuses(".xyz", head, "3: the file ends here with 1 of 2 particles", first);
-  assert_true(ok);
-  ok = refuses(".xyz", head + "A 1 2 x3 0.5\n", "4: 'x3' in column 'z' is not a number");
-  assert_true(ok);
-  ok = refuses(".xyz", head + "A 1 2 3 -.5\n", "4: '-.5' in column 'radius' is negative");
-  assert_true(ok);
-  ok = refuses(".xyz", head + "A 1 2 3\n", "4: 4 values in 'A 1 2 3' where there should be 5");
-  assert_true(ok);
-  ok =
-      refuses(".xyz", head + "A 1 2 3 1\nA 1 2 3 1\n", "5: the number of particles should stand here, not 'A 1 2 3 1'");
-  assert_true(ok);
-  ok = refuses(".xyz", "99999999999999999999\n" + kProperties + "\n",
-               "1: the number of particles should stand here, not '99999999999999999999'");
-  assert_true(ok);
-  ok = refuses(".xyz", "2\n", "1: the file ends here, the line of keys is missing");
-  assert_true(ok);
+const std::string kHead = "2\n" + kProperties + "\nA 1 2 3 0.5\n";
+
+bool refuses_a_frame_that_is_cut() {
+  const std::string message = "3: the file ends here with 1 of 2 particles";
+  return refuses(".xyz", kHead, message) && refuses(".xyz", kHead, message, of_frame(1));
+}
+
+bool refuses_bad_rows() {
+  return refuses_each(
+      ".xyz", {{kHead + "A 1 2 x3 0.5\n", "4: 'x3' in column 'z' is not a number"},
+               {kHead + "A 1 2 3 -.5\n", "4: '-.5' in column 'radius' is negative"},
+               {kHead + "A 1 2 3\n", "4: 4 values in 'A 1 2 3' where there should be 5"},
+               {kHead + "A 1 2 3 1\nA 1 2 3 1\n", "5: the number of particles should stand here, not 'A 1 2 3 1'"},
+               {"99999999999999999999\n" + kProperties + "\n",
+                "1: the number of particles should stand here, not '99999999999999999999'"},
+               {"2\n", "1: the file ends here, the line of keys is missing"}});
 }
 
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(reads_properties),          cmocka_unit_test(reads_the_box),
-      cmocka_unit_test(reads_the_frame_asked_for), cmocka_unit_test(refuses_bad_boxes),
-      cmocka_unit_test(refuses_bad_keys),          cmocka_unit_test(refuses_bad_rows),
+      cmocka_unit_test(passes<reads_properties>),          cmocka_unit_test(passes<reads_the_box>),
+      cmocka_unit_test(passes<reads_the_frame_asked_for>), cmocka_unit_test(passes<refuses_bad_boxes>),
+      cmocka_unit_test(passes<refuses_bad_keys>),          cmocka_unit_test(passes<refuses_a_frame_that_is_cut>),
+      cmocka_unit_test(passes<refuses_bad_rows>),
   };
   return cmocka_run_group_tests_name("xyz_reader", tests, nullptr, nullptr);
 }
