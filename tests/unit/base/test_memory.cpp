@@ -79,18 +79,17 @@ void growth_keeps_entries(void **) { assert_true(sweep(20, check_growth)); }
 
 // One element at a time must cost a number of requests that grows as the logarithm.
 void appending_is_cheap(void **) {
-  const bool ok = holds(0, [](uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     Books books;
     Memory memory(allocator_of(books));
     Buffer<char> buffer(memory);
     for (size_t count = 1; count <= 100000; count++) buffer.grow(count);
     require(books.requests < 50, "%lld requests", books.requests);
-  });
-  assert_true(ok);
+  }));
 }
 
 void require_never_shrinks(void **) {
-  const bool ok = holds(0, [](uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     Books books;
     Memory memory(allocator_of(books));
     Buffer<double> buffer(memory);
@@ -102,12 +101,11 @@ void require_never_shrinks(void **) {
     require(buffer.capacity() == 100 && buffer.data() == data, "capacity %zu", buffer.capacity());
     buffer.require(101);
     require(buffer.capacity() == 101 && memory.bytes() == 808, "%lld bytes", static_cast<long long>(memory.bytes()));
-  });
-  assert_true(ok);
+  }));
 }
 
 void refusal_in_grow(void **) {
-  const bool ok = holds(0, [](uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     Books books;
     Memory memory(allocator_of(books));
     Buffer<int> buffer(memory);
@@ -118,12 +116,11 @@ void refusal_in_grow(void **) {
     require_refused("grow", HG_ERR_MEMORY, "4000 bytes", [&] { buffer.grow(1000); });
     require(buffer.capacity() == 2 && buffer[0] == 11 && buffer[1] == 22, "the entries were lost");
     require(memory.bytes() == 8, "%lld bytes", static_cast<long long>(memory.bytes()));
-  });
-  assert_true(ok);
+  }));
 }
 
 void refusal_in_require(void **) {
-  const bool ok = holds(0, [](uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     Books books;
     Memory memory(allocator_of(books));
     {
@@ -137,13 +134,12 @@ void refusal_in_require(void **) {
       require(buffer.capacity() == 3, "capacity %zu", buffer.capacity());
     }
     require(memory.bytes() == 0 && books.bytes == 0 && !books.wrong_size, "%lld bytes are left", books.bytes);
-  });
-  assert_true(ok);
+  }));
 }
 
 // Sizes beyond what an address can count are refused before any request is made.
 void sizes_that_overflow(void **) {
-  const bool ok = holds(0, [](uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     const size_t most = std::numeric_limits<size_t>::max();
     require(hg::array_bytes(most / 8, 8) == most / 8 * 8, "the largest size that fits");
     require_refused("array_bytes", HG_ERR_MEMORY, "elements", [&] { hg::array_bytes(most / 8 + 1, 8); });
@@ -153,12 +149,11 @@ void sizes_that_overflow(void **) {
     require_refused("grow", HG_ERR_MEMORY, "elements", [&] { buffer.grow(most / 4); });
     require_refused("require", HG_ERR_MEMORY, "elements", [&] { buffer.require(most / 4); });
     require(books.requests == 0, "%lld requests", books.requests);
-  });
-  assert_true(ok);
+  }));
 }
 
 void nothing_from_nothing(void **) {
-  const bool ok = holds(0, [](uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     Books books;
     Memory memory(allocator_of(books));
     require(memory.allocate(0) == nullptr, "zero bytes need no memory");
@@ -167,12 +162,11 @@ void nothing_from_nothing(void **) {
     buffer.grow(0);
     buffer.require(0);
     require(books.requests == 0, "%lld requests", books.requests);
-  });
-  assert_true(ok);
+  }));
 }
 
 void system_allocator_works(void **) {
-  const bool ok = holds(0, [](uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     Memory memory(hg::system_allocator());
     auto *block = static_cast<char *>(memory.allocate(10));
     std::memset(block, 7, 10);
@@ -181,8 +175,7 @@ void system_allocator_works(void **) {
     require(memory.bytes() == 1000, "%lld bytes", static_cast<long long>(memory.bytes()));
     memory.release(block, 1000);
     require(memory.bytes() == 0, "%lld bytes are left", static_cast<long long>(memory.bytes()));
-  });
-  assert_true(ok);
+  }));
 }
 
 }  // namespace

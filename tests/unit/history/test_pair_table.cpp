@@ -51,7 +51,7 @@ void any_keys(void **) { assert_true(sweep(300, check_any)); }
 
 // About one in 16 other keys passes a full filter.
 void filter_stops_most(void **) {
-  const bool ok = holds(1, [](uint64_t seed) {
+  assert_true(holds(1, [](uint64_t seed) {
     Rng rng(seed);
     hg::Memory memory(hg::system_allocator());
     PairFilter filter(memory);
@@ -60,14 +60,13 @@ void filter_stops_most(void **) {
     int passed = 0;
     for (int k = 0; k < 10000; k++) passed += filter.may_hold(rng.next()) ? 1 : 0;
     require(passed > 300 && passed < 1000, "%d of 10000 passed", passed);
-  });
-  assert_true(ok);
+  }));
 }
 
 // All keys begin in the first part in a thousand of the table: without another seed, `count` of them would take about
 // count^2 / 2 steps.
 void hostile_keys(void **) {
-  const bool ok = holds(2, [](uint64_t seed) {
+  assert_true(holds(2, [](uint64_t seed) {
     constexpr size_t kCount = 20000;
     Rng rng(seed);
     hg::Memory memory(hg::system_allocator());
@@ -86,8 +85,7 @@ void hostile_keys(void **) {
     for (const uint64_t key : keys) require_holds(table, expected, key);
     require(table.steps() > kCount / 10 && table.steps() < 40 * kCount, "%llu steps",
             static_cast<unsigned long long>(table.steps()));
-  });
-  assert_true(ok);
+  }));
 }
 
 }  // namespace
