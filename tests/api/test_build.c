@@ -7,12 +7,6 @@
 
 #include <pthread.h>
 
-static hg_grid_stats stats_of(hg_grid *grid) {
-  hg_grid_stats stats;
-  assert_ok(hg_get_stats(grid, &stats, sizeof stats));
-  return stats;
-}
-
 static void builds_once_and_searches_nothing(void **state) {
   hg_grid *grid = make_chain(NULL);
   (void)state;
@@ -65,77 +59,61 @@ enum { READERS = 4, ROUNDS = 50 };
 
 typedef struct reader {
   hg_grid *grid;
+  int (*read)(hg_grid *grid);
   int wrong;
 } reader;
 
-static void *read_spheres(void *argument) {
+static void *read_often(void *argument) {
   reader *r = argument;
   int round;
-  for (round = 0; round < ROUNDS; ++round) {
-    const double center[3] = {4, 0, 0};
-    const int32_t *ids;
-    size_t count;
-    if (hg_query_sphere(r->grid, center, 0.5, &ids, &count) != HG_OK || count != 3 || ids[0] != 3 || ids[2] != 5) {
-      ++r->wrong;
-    }
-  }
+  for (round = 0; round < ROUNDS; ++round) r->wrong += !r->read(r->grid);
   return NULL;
 }
 
 /* Reading calls need no lock of the caller once the grid is built. */
-static void several_threads_may_read(void **state) {
+static void assert_several_may(int (*read)(hg_grid *grid)) {
   hg_grid *grid = make_chain(NULL);
   pthread_t threads[READERS];
   reader readers[READERS];
   int k;
-  (void)state;
   assert_ok(hg_build(grid));
   for (k = 0; k < READERS; ++k) {
     readers[k].grid = grid;
+    readers[k].read = read;
     readers[k].wrong = 0;
-    assert_int_equal(0, pthread_create(&threads[k], NULL, read_spheres, &readers[k]));
+    assert_int_equal(0, pthread_create(&threads[k], NULL, read_often, &readers[k]));
   }
   for (k = 0; k < READERS; ++k) assert_int_equal(0, pthread_join(threads[k], NULL));
   for (k = 0; k < READERS; ++k) assert_int_equal(0, readers[k].wrong);
   hg_destroy(grid);
 }
 
-static void *read_pairs(void *argument) {
-  reader *r = argument;
-  int round;
-  for (round = 0; round < ROUNDS; ++round) {
-    const hg_pair *pairs;
-    size_t count;
-    if (hg_query_pairs(r->grid, &pairs, &count) != HG_OK || count != CHAIN_COUNT - 1) ++r->wrong;
-  }
-  return NULL;
+static int finds_spheres(hg_grid *grid) {
+  const double center[3] = {4, 0, 0};
+  const int32_t *ids;
+  size_t count;
+  return hg_query_sphere(grid, center, 0.5, &ids, &count) == HG_OK && count == 3 && ids[0] == 3 && ids[2] == 5;
+}
+
+static int finds_pairs(hg_grid *grid) {
+  const hg_pair *pairs;
+  size_t count;
+  return hg_query_pairs(grid, &pairs, &count) == HG_OK && count == CHAIN_COUNT - 1;
+}
+
+static void several_threads_may_read(void **state) {
+  (void)state;
+  assert_several_may(finds_spheres);
 }
 
 static void several_threads_may_ask_for_pairs(void **state) {
-  hg_grid *grid = make_chain(NULL);
-  pthread_t threads[READERS];
-  reader readers[READERS];
-  int k;
   (void)state;
-  assert_ok(hg_build(grid));
-  for (k = 0; k < READERS; ++k) {
-    readers[k].grid = grid;
-    readers[k].wrong = 0;
-    assert_int_equal(0, pthread_create(&threads[k], NULL, read_pairs, &readers[k]));
-  }
-  for (k = 0; k < READERS; ++k) assert_int_equal(0, pthread_join(threads[k], NULL));
-  for (k = 0; k < READERS; ++k) assert_int_equal(0, readers[k].wrong);
-  hg_destroy(grid);
+  assert_several_may(finds_pairs);
 }
 
-static void prepare(hg_grid **grid) { *grid = make_chain(NULL); }
-static hg_status build(hg_grid **grid) { return hg_build(*grid); }
-static void still_a_chain(hg_grid *grid) { assert_chain(grid, 0); }
-
 static void no_memory(void **state) {
-  const alloc_scenario scenario = {prepare, build, NULL, still_a_chain};
   (void)state;
-  assert_true(refuse_each_allocation(&scenario) > 0);
+  assert_true(refuse_each_allocation_on_chain(hg_build) > 0);
 }
 
 int main(void) {

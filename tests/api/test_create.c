@@ -158,8 +158,7 @@ static void too_many_levels(void **state) {
   refuse(HG_ERR_LIMIT, &def, "level_count");
   def.level_rule = HG_LEVELS_PAPER;
   refuse(HG_ERR_LIMIT, &def, "level_count");
-  def.level_rule = HG_LEVELS_USER;
-  def.cell_sizes = sizes;
+  def = user_levels(sizes, HG_MAX_LEVELS + 1);
   refuse(HG_ERR_LIMIT, &def, "level_count");
   def.level_count = HG_MAX_LEVELS;
   hg_destroy(make_empty(&def));
@@ -167,41 +166,28 @@ static void too_many_levels(void **state) {
 
 static void user_levels_must_ascend(void **state) {
   double bad[6][3] = {{1, 3, 2}, {1, 2, 2}, {0, 1, 2}, {-1, 1, 2}, {1, 2, 0}, {1, 2, 0}};
-  hg_grid_def def = hg_default_grid_def();
+  hg_grid_def def;
   int k;
   (void)state;
   bad[4][2] = not_a_number();
   bad[5][2] = infinity();
-  def.level_rule = HG_LEVELS_USER;
-  def.level_count = 3;
   for (k = 0; k < 6; ++k) {
-    def.cell_sizes = bad[k];
+    def = user_levels(bad[k], 3);
     refuse(HG_ERR_ARGUMENT, &def, "cell_sizes");
   }
-  def.cell_sizes = NULL;
-  {
-    hg_grid *grid = NULL;
-    const hg_status status = hg_create(&def, &grid);
-    assert_true(status == HG_ERR_NULL || status == HG_ERR_ARGUMENT);
-    assert_null(grid);
-    assert_error_names("cell_sizes");
-  }
-  def.cell_sizes = bad[0];
-  def.level_count = 0;
+  def = user_levels(NULL, 3);
+  refuse(HG_ERR_NULL, &def, "cell_sizes");
+  def = user_levels(bad[0], 0);
   refuse(HG_ERR_ARGUMENT, &def, "level_count");
 }
 
 static void user_levels_are_copied(void **state) {
   double sizes[] = {0.5, 1.5};
-  hg_grid_def def = hg_default_grid_def();
+  hg_grid_def def = user_levels(sizes, 2);
+  hg_grid *grid = make_empty(&def);
   const hg_level *levels;
-  hg_grid *grid;
   size_t count;
   (void)state;
-  def.level_rule = HG_LEVELS_USER;
-  def.level_count = 2;
-  def.cell_sizes = sizes;
-  grid = make_empty(&def);
   sizes[0] = sizes[1] = -1;
   def.level_count = 0;
   assert_ok(hg_query_levels(grid, &levels, &count));
@@ -213,10 +199,7 @@ static void user_levels_are_copied(void **state) {
 
 static hg_status create_with_levels(hg_grid **grid) {
   static const double sizes[] = {0.5, 1, 1.5};
-  hg_grid_def def = hg_default_grid_def();
-  def.level_rule = HG_LEVELS_USER;
-  def.level_count = 3;
-  def.cell_sizes = sizes;
+  hg_grid_def def = user_levels(sizes, 3);
   def.thread_count = 2;
   return hg_create(&def, grid);
 }

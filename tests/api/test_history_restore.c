@@ -2,7 +2,6 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 
 /* hg_history_restore: a run that goes on from a checkpoint matches as one that never stopped. */
-#include "tests/support/failing_alloc.h"
 #include "tests/support/history_fixture.h"
 
 static void goes_on_from_a_checkpoint(void **state) {
@@ -40,33 +39,9 @@ static void wrong_arguments(void **state) {
   hg_history_destroy(history);
 }
 
-enum { MANY = 300 };
-static hg_history *watched;
-static hg_pair many[MANY];
-static void prepare(hg_grid **grid) {
-  int k;
-  (void)grid;
-  for (k = 0; k < MANY; ++k) many[k].a = many[k].b = k;
-  watched = make_history();
-}
-static hg_status restore(hg_grid **grid) {
-  (void)grid;
-  return hg_history_restore(watched, MANY, many);
-}
-static void unchanged(hg_grid *grid) {
-  (void)grid;
-  assert_history(watched);
-}
-static void done(hg_grid *grid) {
-  (void)grid;
-  assert_remembers(watched, many, MANY);
-  hg_history_destroy(watched);
-}
-
 static void no_memory(void **state) {
-  const alloc_scenario scenario = {prepare, restore, unchanged, done};
   (void)state;
-  assert_true(refuse_each_allocation(&scenario) > 0);
+  assert_true(refuse_each_allocation_for_many(hg_history_restore) > 0);
 }
 
 int main(void) {

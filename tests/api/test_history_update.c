@@ -110,60 +110,37 @@ static void follows_a_grid(void **state) {
   hg_destroy(grid);
 }
 
-enum { MANY = 1000 };
-static hg_history *watched;
-static hg_pair many[MANY];
-static void prepare(hg_grid **grid) {
-  int k;
-  (void)grid;
-  for (k = 0; k < MANY; ++k) {
-    many[k].a = k;
-    many[k].b = 7 * k + 1;
-  }
-  watched = make_history();
-}
-static hg_status update(hg_grid **grid) {
+static hg_status update(hg_history *history, size_t count, const hg_pair *pairs) {
   const int64_t *previous;
-  (void)grid;
-  return hg_history_update(watched, MANY, many, &previous);
-}
-static void unchanged(hg_grid *grid) {
-  (void)grid;
-  assert_history(watched);
-}
-static void done(hg_grid *grid) {
-  (void)grid;
-  assert_remembers(watched, many, MANY);
-  hg_history_destroy(watched);
+  return hg_history_update(history, count, pairs, &previous);
 }
 
 static void no_memory(void **state) {
-  const alloc_scenario scenario = {prepare, update, unchanged, done};
   (void)state;
-  assert_true(refuse_each_allocation(&scenario) > 3);
+  assert_true(refuse_each_allocation_for_many(update) > 3);
 }
 
 /* Long and short lists by turns. */
 static void six_steps(hg_history *history) {
   int step;
   for (step = 0; step < 6; ++step) {
-    const int64_t *previous;
     const int is_long = step % 3 != 0;
-    assert_ok(hg_history_update(history, is_long ? MANY : BEFORE_COUNT, is_long ? many : kBefore, &previous));
+    assert_ok(update(history, is_long ? MANY : BEFORE_COUNT, is_long ? many_pairs() : kBefore));
   }
 }
 
 /* After the longest lists have been seen, matching asks for no more memory. */
 static void keeps_its_memory(void **state) {
+  hg_history *history;
   long long calls;
   (void)state;
   failing_alloc_install();
-  prepare(NULL);
-  six_steps(watched);
+  history = make_history();
+  six_steps(history);
   calls = failing_alloc_books().calls;
-  six_steps(watched);
+  six_steps(history);
   assert_int_equal(calls, failing_alloc_books().calls);
-  hg_history_destroy(watched);
+  hg_history_destroy(history);
   failing_alloc_remove();
 }
 

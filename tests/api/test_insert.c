@@ -150,11 +150,9 @@ static void box_shorter_than_two_reaches(void **state) {
   int32_t interaction;
   (void)state;
   for (interaction = HG_CONTACT; interaction <= HG_MAX_RANGE; ++interaction) {
-    hg_grid_def def = hg_default_grid_def();
+    hg_grid_def def = periodic_axis(1, interaction == HG_CONTACT ? 1.0 : 0.5);
     hg_grid *grid;
     def.interaction = interaction;
-    def.periodic[1] = 1;
-    def.box_max[1] = interaction == HG_CONTACT ? 1.0 : 0.5;
     grid = make_grid(&def, 1, centers, radii);
     assert_status(HG_ERR_ARGUMENT, hg_insert(grid, 1, centers + 3, radii + 1));
     assert_pairs(grid, NULL, 0);
@@ -167,11 +165,9 @@ static void box_shorter_than_two_reaches(void **state) {
 /* The margin belongs to the reach. */
 static void margin_makes_the_box_too_short(void **state) {
   const double center[3] = {0, 0, 0}, radius = 0.25;
-  hg_grid_def def = hg_default_grid_def();
+  hg_grid_def def = periodic_axis(2, 1);
   hg_grid *grid;
   (void)state;
-  def.periodic[2] = 1;
-  def.box_max[2] = 1;
   def.margin = 0.01;
   grid = make_empty(&def);
   assert_status(HG_ERR_ARGUMENT, hg_insert(grid, 1, center, &radius));
@@ -181,13 +177,9 @@ static void margin_makes_the_box_too_short(void **state) {
 static void beyond_the_last_user_cell(void **state) {
   const double sizes[2] = {0.5, 2};
   const double center[3] = {0, 0, 0}, good = 1, bad = 1.0000001;
-  hg_grid_def def = hg_default_grid_def();
-  hg_grid *grid;
+  hg_grid_def def = user_levels(sizes, 2);
+  hg_grid *grid = make_empty(&def);
   (void)state;
-  def.level_rule = HG_LEVELS_USER;
-  def.level_count = 2;
-  def.cell_sizes = sizes;
-  grid = make_empty(&def);
   assert_status(HG_ERR_ARGUMENT, hg_insert(grid, 1, center, &bad));
   assert_ok(hg_insert(grid, 1, center, &good));
   hg_destroy(grid);
@@ -199,12 +191,9 @@ static void beyond_the_last_user_cell(void **state) {
 
 static void too_far_outside_a_periodic_box(void **state) {
   const double far[3] = {0, 4294967296.0, 0}, inside[3] = {0, 0.5, 0}, radius = 0.1;
-  hg_grid_def def = hg_default_grid_def();
-  hg_grid *grid;
+  const hg_grid_def def = periodic_axis(1, 1);
+  hg_grid *grid = make_empty(&def);
   (void)state;
-  def.periodic[1] = 1;
-  def.box_max[1] = 1;
-  grid = make_empty(&def);
   assert_status(HG_ERR_LIMIT, hg_insert(grid, 1, far, &radius));
   assert_ok(hg_insert(grid, 1, inside, &radius));
   hg_destroy(grid);
@@ -250,12 +239,7 @@ static hg_status insert_many(hg_grid **grid) {
 
 static void still_a_chain(hg_grid *grid) { assert_chain(grid, 0); }
 
-static void chain_and_row(hg_grid *grid) {
-  const hg_pair *pairs;
-  size_t count;
-  assert_ok(hg_query_pairs(grid, &pairs, &count));
-  assert_int_equal(CHAIN_COUNT - 1 + MANY - 1, count);
-}
+static void chain_and_row(hg_grid *grid) { assert_int_equal(CHAIN_COUNT - 1 + MANY - 1, pairs_in(grid)); }
 
 static void no_memory(void **state) {
   const alloc_scenario scenario = {prepare, insert_many, still_a_chain, chain_and_row};

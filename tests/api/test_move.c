@@ -17,8 +17,10 @@ static const hg_pair kStartPairs[2] = {{0, 1}, {2, 3}};
 static const double kMoved[12] = {0, 0, 0, 10, 0, 0, 1, 0, 0, 11, 0, 0};
 static const hg_pair kMovedPairs[2] = {{0, 2}, {1, 3}};
 
+static hg_grid *make_start(const hg_grid_def *def) { return make_grid(def, 4, kStart, kRadii); }
+
 static void pairs_follow_the_particles(void **state) {
-  hg_grid *grid = make_grid(NULL, 4, kStart, kRadii);
+  hg_grid *grid = make_start(NULL);
   (void)state;
   assert_pairs(grid, kStartPairs, 2);
   assert_ok(hg_move(grid, 4, kMoved, NULL));
@@ -31,7 +33,7 @@ static void pairs_follow_the_particles(void **state) {
 static void radii_change_when_given(void **state) {
   const double small[4] = {0.6, 0.6, 0.1, 0.1}, large[4] = {0.6, 0.6, 0.6, 100};
   const hg_pair all_with_3[4] = {{0, 1}, {0, 3}, {1, 3}, {2, 3}};
-  hg_grid *grid = make_grid(NULL, 4, kStart, kRadii);
+  hg_grid *grid = make_start(NULL);
   (void)state;
   assert_ok(hg_move(grid, 4, kStart, small));
   assert_pairs(grid, kStartPairs, 1);
@@ -47,7 +49,7 @@ static void rows_skip_removed_particles(void **state) {
   const int32_t gone = 1;
   const double centers[9] = {0, 0, 0, 5, 0, 0, 1, 0, 0};
   const hg_pair expected[1] = {{0, 3}};
-  hg_grid *grid = make_grid(NULL, 4, kStart, kRadii);
+  hg_grid *grid = make_start(NULL);
   (void)state;
   assert_ok(hg_remove(grid, 1, &gone));
   assert_status(HG_ERR_ARGUMENT, hg_move(grid, 4, kMoved, NULL));
@@ -67,7 +69,7 @@ static void empty_grid(void **state) {
 }
 
 static void wrong_count_is_refused(void **state) {
-  hg_grid *grid = make_grid(NULL, 4, kStart, kRadii);
+  hg_grid *grid = make_start(NULL);
   (void)state;
   assert_status(HG_ERR_ARGUMENT, hg_move(grid, 3, kMoved, NULL));
   assert_error_names("3");
@@ -78,7 +80,7 @@ static void wrong_count_is_refused(void **state) {
 }
 
 static void null_is_refused(void **state) {
-  hg_grid *grid = make_grid(NULL, 4, kStart, kRadii);
+  hg_grid *grid = make_start(NULL);
   (void)state;
   assert_status(HG_ERR_NULL, hg_move(NULL, 4, kMoved, NULL));
   assert_status(HG_ERR_NULL, hg_move(grid, 4, NULL, kRadii));
@@ -104,7 +106,7 @@ static void refuse(hg_grid *grid, int row, int axis, double value, const char *t
 }
 
 static void bad_values_change_nothing(void **state) {
-  hg_grid *grid = make_grid(NULL, 4, kStart, kRadii);
+  hg_grid *grid = make_start(NULL);
   int row;
   (void)state;
   for (row = 0; row < 4; ++row) {
@@ -119,12 +121,9 @@ static void bad_values_change_nothing(void **state) {
 
 static void growth_beyond_the_box_is_refused(void **state) {
   const double grown[4] = {0.6, 0.6, 0.6, 8};
-  hg_grid_def def = hg_default_grid_def();
-  hg_grid *grid;
+  const hg_grid_def def = periodic_axis(0, 20);
+  hg_grid *grid = make_start(&def);
   (void)state;
-  def.periodic[0] = 1;
-  def.box_max[0] = 20;
-  grid = make_grid(&def, 4, kStart, kRadii);
   assert_status(HG_ERR_ARGUMENT, hg_move(grid, 4, kMoved, grown));
   assert_pairs(grid, kStartPairs, 2);
   hg_destroy(grid);
@@ -132,13 +131,9 @@ static void growth_beyond_the_box_is_refused(void **state) {
 
 static void growth_beyond_the_user_cells_is_refused(void **state) {
   const double cell = 1.5, grown[4] = {0.6, 0.6, 0.6, 0.8};
-  hg_grid_def def = hg_default_grid_def();
-  hg_grid *grid;
+  const hg_grid_def def = user_levels(&cell, 1);
+  hg_grid *grid = make_start(&def);
   (void)state;
-  def.level_rule = HG_LEVELS_USER;
-  def.level_count = 1;
-  def.cell_sizes = &cell;
-  grid = make_grid(&def, 4, kStart, kRadii);
   assert_status(HG_ERR_ARGUMENT, hg_move(grid, 4, kMoved, grown));
   assert_pairs(grid, kStartPairs, 2);
   hg_destroy(grid);
@@ -146,12 +141,9 @@ static void growth_beyond_the_user_cells_is_refused(void **state) {
 
 static void too_far_outside_a_periodic_box(void **state) {
   double centers[12];
-  hg_grid_def def = hg_default_grid_def();
-  hg_grid *grid;
+  const hg_grid_def def = periodic_axis(0, 20);
+  hg_grid *grid = make_start(&def);
   (void)state;
-  def.periodic[0] = 1;
-  def.box_max[0] = 20;
-  grid = make_grid(&def, 4, kStart, kRadii);
   memcpy(centers, kMoved, sizeof centers);
   centers[6] = 1e13;
   assert_status(HG_ERR_LIMIT, hg_move(grid, 4, centers, NULL));
@@ -164,7 +156,7 @@ static void needs_no_memory(void **state) {
   long long calls;
   (void)state;
   failing_alloc_install();
-  grid = make_grid(NULL, 4, kStart, kRadii);
+  grid = make_start(NULL);
   assert_pairs(grid, kStartPairs, 2);
   calls = failing_alloc_books().calls;
   assert_ok(hg_move(grid, 4, kMoved, kRadii));
@@ -193,8 +185,6 @@ static void steady(double skin, int threads, int32_t order) {
   double *centers = malloc(3 * CROWD * sizeof *centers), *radii = malloc(CROWD * sizeof *radii);
   hg_grid_def def = hg_default_grid_def();
   hg_grid *grid;
-  const hg_pair *pairs;
-  size_t count;
   long long calls = 0;
   unsigned noise = 1;
   int step, i;
@@ -207,8 +197,7 @@ static void steady(double skin, int threads, int32_t order) {
   grid = make_grid(&def, CROWD, centers, radii);
   for (step = 0; step < 14; ++step) {
     if (step == 7) calls = failing_alloc_books().calls;
-    assert_ok(hg_query_pairs(grid, &pairs, &count));
-    assert_true(count > CROWD);
+    assert_true(pairs_in(grid) > CROWD);
     rattle(centers, &noise);
     assert_ok(hg_move(grid, CROWD, centers, step % 3 == 0 ? radii : NULL));
   }
@@ -230,18 +219,10 @@ static void steps_need_no_memory_once_under_way(void **state) {
   }
 }
 
-static hg_grid_stats stats_of(hg_grid *grid) {
-  hg_grid_stats stats;
-  assert_ok(hg_get_stats(grid, &stats, sizeof stats));
-  return stats;
-}
-
 /* What happened in the query after a step: a search, or a filtering of stored candidates. */
 static void assert_step(hg_grid *grid, const double *centers, const double *radii, int64_t searches, int64_t filters) {
-  const hg_pair *pairs;
-  size_t count;
   assert_ok(hg_move(grid, 4, centers, radii));
-  assert_ok(hg_query_pairs(grid, &pairs, &count));
+  assert_ok(search(grid));
   assert_int_equal(searches, stats_of(grid).search_count);
   assert_int_equal(filters, stats_of(grid).filter_count);
   assert_true(stats_of(grid).stored_count > 0);
@@ -254,7 +235,7 @@ static void statistics_tell_searches_from_filters(void **state) {
   hg_grid *grid;
   (void)state;
   def.skin = 0.2;
-  grid = make_grid(&def, 4, kStart, kRadii);
+  grid = make_start(&def);
   assert_int_equal(0, stats_of(grid).stored_count);
   assert_pairs(grid, kStartPairs, 2);
   assert_int_equal(1, stats_of(grid).search_count);
@@ -271,13 +252,13 @@ static void statistics_tell_searches_from_filters(void **state) {
   assert_step(grid, centers, grown, 3, 3);
   assert_step(grid, centers, kRadii, 3, 4); /* shrinking is no motion */
   assert_step(grid, centers, more, 4, 4);
-  assert_ok(hg_query_pairs(grid, &(const hg_pair *){NULL}, &(size_t){0}));
+  assert_ok(search(grid));
   assert_int_equal(4, stats_of(grid).search_count); /* nothing has changed since */
   hg_destroy(grid);
 }
 
 static void no_skin_stores_nothing(void **state) {
-  hg_grid *grid = make_grid(NULL, 4, kStart, kRadii);
+  hg_grid *grid = make_start(NULL);
   (void)state;
   assert_pairs(grid, kStartPairs, 2);
   assert_ok(hg_move(grid, 4, kStart, NULL));
@@ -295,16 +276,13 @@ static void a_skin_is_never_an_error(void **state) {
   size_t k;
   (void)state;
   for (k = 0; k < sizeof skins / sizeof skins[0]; ++k) {
-    hg_grid_def def = hg_default_grid_def();
+    hg_grid_def def = user_levels(&cell, 1);
     hg_grid *grid;
     def.skin = skins[k];
     def.periodic[1] = 1;
     def.box_min[1] = -1.25;
     def.box_max[1] = 1.25; /* twice the reach, and 0.1 */
-    def.level_rule = HG_LEVELS_USER;
-    def.level_count = 1;
-    def.cell_sizes = &cell;
-    grid = make_grid(&def, 4, kStart, kRadii);
+    grid = make_start(&def);
     assert_pairs(grid, kStartPairs, 2);
     memcpy(centers, kStart, sizeof centers);
     centers[1] = 2.5; /* the same place */
@@ -324,7 +302,7 @@ static void insert_remove_and_clear_make_candidates_stale(void **state) {
   hg_grid *grid;
   (void)state;
   def.skin = 0.5;
-  grid = make_grid(&def, 4, kStart, kRadii);
+  grid = make_start(&def);
   assert_pairs(grid, kStartPairs, 2);
   assert_ok(hg_insert(grid, 1, near_0, &radius));
   assert_int_equal(0, stats_of(grid).stored_count);
@@ -341,19 +319,13 @@ static void insert_remove_and_clear_make_candidates_stale(void **state) {
 
 /* Every allocation of the first query with a skin fails once; so does every one of a search anew. */
 static void start_with_skin(hg_grid **grid) {
-  hg_grid_def def = hg_default_grid_def();
+  hg_grid_def def = periodic_axis(0, 20);
   def.skin = 0.5;
-  def.periodic[0] = 1;
-  def.box_max[0] = 20;
   def.thread_count = 2;
-  *grid = make_grid(&def, 4, kStart, kRadii);
+  *grid = make_start(&def);
 }
 
-static hg_status query(hg_grid **grid) {
-  const hg_pair *pairs;
-  size_t count;
-  return hg_query_pairs(*grid, &pairs, &count);
-}
+static hg_status query(hg_grid **grid) { return search(*grid); }
 
 static void has_start_pairs(hg_grid *grid) {
   assert_pairs(grid, kStartPairs, 2);

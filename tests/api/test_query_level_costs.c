@@ -72,15 +72,11 @@ static void the_cheapest_is_chosen(void **state) {
 
 static void user_levels_have_no_costs(void **state) {
   const double size = 16;
-  hg_grid_def def = hg_default_grid_def();
+  hg_grid_def def = user_levels(&size, 1);
+  hg_grid *grid = make_four_sizes(&def);
   const hg_level_cost *costs;
-  hg_grid *grid;
   size_t count = 77;
   (void)state;
-  def.level_rule = HG_LEVELS_USER;
-  def.level_count = 1;
-  def.cell_sizes = &size;
-  grid = make_four_sizes(&def);
   assert_ok(hg_query_level_costs(grid, &costs, &count));
   assert_int_equal(0, count);
   hg_destroy(grid);
@@ -108,14 +104,9 @@ static void refused_inside_a_visitor(void **state) {
   assert_refused_in_visitor(query_again);
 }
 
-static void prepare(hg_grid **grid) { *grid = make_chain(NULL); }
-static hg_status query(hg_grid **grid) { return query_again(*grid); }
-static void still_a_chain(hg_grid *grid) { assert_chain(grid, 0); }
-
 static void no_memory(void **state) {
-  const alloc_scenario scenario = {prepare, query, NULL, still_a_chain};
   (void)state;
-  assert_true(refuse_each_allocation(&scenario) > 0);
+  assert_true(refuse_each_allocation_on_chain(query_again) > 0);
 }
 
 int main(void) {

@@ -46,15 +46,11 @@ static void two_sizes_make_two_levels(void **state) {
 
 static void every_particle_is_on_its_level(void **state) {
   const double sizes[4] = {0.5, 2, 4, 32};
-  hg_grid_def def = hg_default_grid_def();
+  const hg_grid_def def = user_levels(sizes, 4);
+  hg_grid *grid = make_two_sizes(&def);
   const hg_level *levels;
-  hg_grid *grid;
   size_t count;
   (void)state;
-  def.level_rule = HG_LEVELS_USER;
-  def.level_count = 4;
-  def.cell_sizes = sizes;
-  grid = make_two_sizes(&def);
   assert_ok(hg_query_levels(grid, &levels, &count));
   assert_int_equal(4, count);
   assert_int_equal(0, levels[0].particle_count);
@@ -128,14 +124,9 @@ static void refused_inside_a_visitor(void **state) {
   assert_refused_in_visitor(query_again);
 }
 
-static void prepare(hg_grid **grid) { *grid = make_chain(NULL); }
-static hg_status query(hg_grid **grid) { return query_again(*grid); }
-static void still_a_chain(hg_grid *grid) { assert_chain(grid, 0); }
-
 static void no_memory(void **state) {
-  const alloc_scenario scenario = {prepare, query, NULL, still_a_chain};
   (void)state;
-  assert_true(refuse_each_allocation(&scenario) > 0);
+  assert_true(refuse_each_allocation_on_chain(query_again) > 0);
 }
 
 int main(void) {

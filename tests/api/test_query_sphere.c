@@ -63,12 +63,9 @@ static void margin_and_max_range_count(void **state) {
 
 static void nearest_image_counts(void **state) {
   const double centers[6] = {0.25, 0, 0, 9, 0, 0}, radii[2] = {0.5, 0.5};
-  hg_grid_def def = hg_default_grid_def();
-  hg_grid *grid;
+  const hg_grid_def def = periodic_axis(0, 10);
+  hg_grid *grid = make_grid(&def, 2, centers, radii);
   (void)state;
-  def.periodic[0] = 1;
-  def.box_max[0] = 10;
-  grid = make_grid(&def, 2, centers, radii);
   assert_range(grid, 9.5, 0.5, 0, 1);
   assert_range(grid, -0.5, 0.5, 0, 1);
   assert_range(grid, 9.75, 0.25, 0, 0);
@@ -131,14 +128,11 @@ static void bad_arguments(void **state) {
 
 static void too_far_outside_a_periodic_box(void **state) {
   const double far[3] = {0, 4294967296.0, 0};
+  const hg_grid_def def = periodic_axis(1, 1);
+  hg_grid *grid = make_empty(&def);
   const int32_t *ids;
   size_t count;
-  hg_grid_def def = hg_default_grid_def();
-  hg_grid *grid;
   (void)state;
-  def.periodic[1] = 1;
-  def.box_max[1] = 1;
-  grid = make_empty(&def);
   assert_status(HG_ERR_ARGUMENT, hg_query_sphere(grid, far, 0.1, &ids, &count));
   assert_error_names("center[1]");
   hg_destroy(grid);
@@ -148,7 +142,9 @@ static hg_status query_again(hg_grid *grid) {
   const double center[3] = {4, 0, 0};
   const int32_t *ids;
   size_t count;
-  return hg_query_sphere(grid, center, 1, &ids, &count);
+  const hg_status status = hg_query_sphere(grid, center, 1, &ids, &count);
+  if (status == HG_OK) assert_true(count == 3 && ids[0] == 3 && ids[2] == 5);
+  return status;
 }
 
 static void refused_inside_a_visitor(void **state) {
@@ -156,17 +152,9 @@ static void refused_inside_a_visitor(void **state) {
   assert_refused_in_visitor(query_again);
 }
 
-static void prepare(hg_grid **grid) { *grid = make_chain(NULL); }
-static hg_status query(hg_grid **grid) { return query_again(*grid); }
-static void right_answer(hg_grid *grid) {
-  assert_range(grid, 4, 1, 3, 5);
-  assert_chain(grid, 0);
-}
-
 static void no_memory(void **state) {
-  const alloc_scenario scenario = {prepare, query, NULL, right_answer};
   (void)state;
-  assert_true(refuse_each_allocation(&scenario) > 0);
+  assert_true(refuse_each_allocation_on_chain(query_again) > 0);
 }
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

@@ -69,16 +69,13 @@ static void unknown_ids_change_nothing(void **state) {
 static void index_base_shifts_the_ids(void **state) {
   const int32_t zero = 0, nine = CHAIN_COUNT;
   hg_grid_def def = hg_default_grid_def();
-  const hg_pair *pairs;
   hg_grid *grid;
-  size_t count;
   (void)state;
   def.index_base = 1;
   grid = make_chain(&def);
   assert_status(HG_ERR_NOT_FOUND, hg_remove(grid, 1, &zero));
   assert_ok(hg_remove(grid, 1, &nine));
-  assert_ok(hg_query_pairs(grid, &pairs, &count));
-  assert_int_equal(CHAIN_COUNT - 2, count);
+  assert_int_equal(CHAIN_COUNT - 2, pairs_in(grid));
   hg_destroy(grid);
 }
 
@@ -129,11 +126,7 @@ static void prepare_removed(hg_grid **grid) {
   *grid = make_chain(NULL);
   assert_ok(remove_last_two(grid));
 }
-static hg_status query(hg_grid **grid) {
-  const hg_pair *pairs;
-  size_t count;
-  return hg_query_pairs(*grid, &pairs, &count);
-}
+static hg_status query(hg_grid **grid) { return search(*grid); }
 
 static void no_memory_in_the_next_search(void **state) {
   const alloc_scenario scenario = {prepare_removed, query, NULL, short_chain};

@@ -10,7 +10,6 @@
 static void use_everything(hg_grid *grid) {
   const double center[3] = {0, 0, 0};
   const int32_t id = 3;
-  const hg_pair *pairs;
   const int64_t *offsets;
   const int32_t *ids;
   const hg_level *levels;
@@ -22,8 +21,7 @@ static void use_everything(hg_grid *grid) {
   assert_ok(hg_query_levels(grid, &levels, &count));
   assert_ok(hg_query_level_costs(grid, &costs, &count));
   assert_ok(hg_remove(grid, 1, &id));
-  assert_ok(hg_query_pairs(grid, &pairs, &count));
-  assert_int_equal(CHAIN_COUNT - 3, count);
+  assert_int_equal(CHAIN_COUNT - 3, pairs_in(grid));
   assert_ok(hg_clear(grid));
 }
 
@@ -51,14 +49,12 @@ static void balanced_at_destroy(void **state) {
 /* The statistics count what the grid holds: no less than the input it copied, no more than it asked for. */
 static void byte_count_is_within_the_books(void **state) {
   hg_grid *grid;
-  hg_grid_stats stats;
   (void)state;
   failing_alloc_install();
   grid = make_chain(NULL);
   assert_chain(grid, 0);
-  assert_ok(hg_get_stats(grid, &stats, sizeof stats));
-  assert_true(stats.byte_count >= (int64_t)(CHAIN_COUNT * 4 * sizeof(double)));
-  assert_true(stats.byte_count <= failing_alloc_books().live_bytes);
+  assert_true(stats_of(grid).byte_count >= (int64_t)(CHAIN_COUNT * 4 * sizeof(double)));
+  assert_true(stats_of(grid).byte_count <= failing_alloc_books().live_bytes);
   hg_destroy(grid);
   failing_alloc_remove();
 }

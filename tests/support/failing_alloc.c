@@ -136,3 +136,16 @@ long long refuse_each_allocation(const alloc_scenario *scenario) {
   while (refuse_one(scenario, n)) ++n;
   return n;
 }
+
+static hg_status (*call_on_chain)(hg_grid *grid);
+static void prepare_chain(hg_grid **grid) { *grid = make_chain(NULL); }
+static hg_status act_on_chain(hg_grid **grid) { return call_on_chain(*grid); }
+static void still_a_chain(hg_grid *grid) { assert_chain(grid, 0); }
+
+long long refuse_each_allocation_on_chain(hg_status (*call)(hg_grid *grid)) {
+  const alloc_scenario looked_at = {prepare_chain, act_on_chain, still_a_chain, still_a_chain};
+  const alloc_scenario left_alone = {prepare_chain, act_on_chain, NULL, still_a_chain};
+  call_on_chain = call;
+  refuse_each_allocation(&looked_at);
+  return refuse_each_allocation(&left_alone);
+}

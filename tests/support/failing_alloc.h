@@ -47,6 +47,9 @@ typedef struct alloc_scenario {
 
 long long refuse_each_allocation(const alloc_scenario *scenario);
 
+/* The same for a call on a chain that must stay one, looked at after each refusal or at the end only. */
+long long refuse_each_allocation_on_chain(hg_status (*call)(hg_grid *grid));
+
 #ifdef __cplusplus
 }
 #endif

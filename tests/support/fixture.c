@@ -38,6 +38,40 @@ hg_grid *make_empty(const hg_grid_def *def) {
   return grid;
 }
 
+hg_grid_def user_levels(const double *sizes, int32_t count) {
+  hg_grid_def def = hg_default_grid_def();
+  def.level_rule = HG_LEVELS_USER;
+  def.level_count = count;
+  def.cell_sizes = sizes;
+  return def;
+}
+
+hg_grid_def periodic_axis(int axis, double length) {
+  hg_grid_def def = hg_default_grid_def();
+  def.periodic[axis] = 1;
+  def.box_max[axis] = length;
+  return def;
+}
+
+hg_grid_stats stats_of(hg_grid *grid) {
+  hg_grid_stats stats;
+  assert_ok(hg_get_stats(grid, &stats, sizeof stats));
+  return stats;
+}
+
+hg_status search(hg_grid *grid) {
+  const hg_pair *pairs;
+  size_t count;
+  return hg_query_pairs(grid, &pairs, &count);
+}
+
+size_t pairs_in(hg_grid *grid) {
+  const hg_pair *pairs;
+  size_t count = 0;
+  assert_ok(hg_query_pairs(grid, &pairs, &count));
+  return count;
+}
+
 hg_grid *make_grid(const hg_grid_def *def, size_t count, const double *centers, const double *radii) {
   hg_grid *grid = make_empty(def);
   assert_ok(hg_insert(grid, count, centers, radii));

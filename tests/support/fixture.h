@@ -29,6 +29,16 @@ hg_grid *make_grid(const hg_grid_def *def, size_t count, const double *centers, 
 /* An empty grid. */
 hg_grid *make_empty(const hg_grid_def *def);
 
+/* Definitions: levels of these cell sizes; one periodic axis, from 0 to `length`. */
+hg_grid_def user_levels(const double *sizes, int32_t count);
+hg_grid_def periodic_axis(int axis, double length);
+
+hg_grid_stats stats_of(hg_grid *grid);
+
+/* hg_query_pairs, of which only the status or the number of pairs is of interest. */
+hg_status search(hg_grid *grid);
+size_t pairs_in(hg_grid *grid);
+
 /* The grid holds exactly these pairs, given in ascending order of (a, b). */
 #define assert_pairs(grid, expected, count) fixture_assert_pairs((grid), (expected), (count), __FILE__, __LINE__)
 void fixture_assert_pairs(hg_grid *grid, const hg_pair *expected, size_t count, const char *file, int line);

@@ -2,6 +2,8 @@
  * SPDX-License-Identifier: BSD-3-Clause */
 #include "tests/support/history_fixture.h"
 
+#include "tests/support/failing_alloc.h"
+
 /* Two pairs stay, the other way round; (7, 9) is not (9, 7). */
 const hg_pair kBefore[BEFORE_COUNT] = {{1, 2}, {7, 9}, {3, 4}, {2147483647, -2147483647 - 1}};
 const hg_pair kAfter[AFTER_COUNT] = {{3, 4}, {9, 7}, {1, 2}, {0, 0}, {-1, -1}};
@@ -47,4 +49,41 @@ void assert_history(const hg_history *history) {
   assert_remembers(history, kAfter, AFTER_COUNT);
   assert_ok(hg_history_carry(history, sizeof before[0], before, after));
   assert_memory_equal(expected, after, sizeof expected);
+}
+
+const hg_pair *many_pairs(void) {
+  static hg_pair many[MANY];
+  int k;
+  for (k = 0; k < MANY; ++k) {
+    many[k].a = k;
+    many[k].b = 7 * k + 1;
+  }
+  return many;
+}
+
+/* The scenarios of failing_alloc.h are about grids: the history stands beside them. */
+static hg_history *watched;
+static hg_status (*watched_call)(hg_history *history, size_t count, const hg_pair *pairs);
+static void prepare(hg_grid **grid) {
+  (void)grid;
+  watched = make_history();
+}
+static hg_status act(hg_grid **grid) {
+  (void)grid;
+  return watched_call(watched, MANY, many_pairs());
+}
+static void unchanged(hg_grid *grid) {
+  (void)grid;
+  assert_history(watched);
+}
+static void done(hg_grid *grid) {
+  (void)grid;
+  assert_remembers(watched, many_pairs(), MANY);
+  hg_history_destroy(watched);
+}
+
+long long refuse_each_allocation_for_many(hg_status (*call)(hg_history *history, size_t count, const hg_pair *pairs)) {
+  const alloc_scenario scenario = {prepare, act, unchanged, done};
+  watched_call = call;
+  return refuse_each_allocation(&scenario);
 }

@@ -20,5 +20,13 @@ void assert_history(const hg_history *history);
 /* The history remembers exactly this list. */
 void assert_remembers(const hg_history *history, const hg_pair *pairs, size_t count);
 
+/* MANY other pairs: more than a history of few has room for. */
+enum { MANY = 1000 };
+const hg_pair *many_pairs(void);
+
+/* Runs `call` for a history as make_history leaves it and the many pairs, with each of its allocations refused in turn:
+ * the history stays as it was and then remembers them. The result is the number of requests that were refused. */
+long long refuse_each_allocation_for_many(hg_status (*call)(hg_history *history, size_t count, const hg_pair *pairs));
+
 /* hg_history_update with this list says that its pairs were at these places. */
 void assert_update(hg_history *history, const hg_pair *pairs, size_t count, const int64_t *expected);
