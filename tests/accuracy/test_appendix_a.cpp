@@ -7,7 +7,7 @@
 #include "particles/insert.hpp"
 #include "programs/accuracy/search/appendix_a.hpp"
 #include "programs/measure/search_timer.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <cmath>
 #include <cstdio>

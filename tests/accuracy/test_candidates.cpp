@@ -8,7 +8,7 @@
 #include "programs/accuracy/search/systems.hpp"
 #include "programs/accuracy/search/verlet_list.hpp"
 #include "programs/measure/search_timer.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include "programs/accuracy/report/pareto_front.hpp"
 #include "programs/accuracy/report/pareto_picture.hpp"
 #include "programs/accuracy/report/points_file.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <unistd.h>
 

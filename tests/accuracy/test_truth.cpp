@@ -7,7 +7,7 @@
 #include "programs/accuracy/search/systems.hpp"
 #include "programs/measure/search_timer.hpp"
 #include "tests/oracle/whole_numbers.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <hgrid/hgrid.h>
 

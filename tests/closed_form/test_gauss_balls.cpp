@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One big sphere among tiny ones on the integer lattice: the contacts are the lattice points nearer than R (Gauss).
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 
 #include <vector>
 

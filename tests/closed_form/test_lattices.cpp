@@ -5,7 +5,6 @@
 // The reach lies between two shells, so no rounding can change a count; where it equals a shell of dyadic distances,
 // strict comparison leaves that shell out.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 
 #include <cmath>
 

@@ -6,7 +6,6 @@
 // events are pairwise independent (the third particle sees uniform positions whatever the other two do), so the
 // variance of the count is below its mean.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/rng.hpp"
 #include "tests/support/size_laws.hpp"
 
@@ -58,19 +57,15 @@ void require_poisson(const char *what, uint64_t seed, int dimension, const std::
 }
 
 void pairs_of_random_points(void **) {
-  bool all = true;
-  for (uint64_t seed = 1; seed <= 3; seed++) {
-    all &= holds(seed, [](uint64_t s) {
-      require_poisson("equal sizes, 2D", s, 2, std::vector<double>(20000, 1), 250);
-      require_poisson("equal sizes", s, 3, std::vector<double>(20000, 1), 60);
-      require_poisson("two sizes", s, 3, two_sizes(10, 40000), 80);
-      require_poisson("uniform size 50", s, 3, sample(uniform_size, 50, 20000), 1600);
-      require_poisson("uniform volume 20, 2D", s, 2, sample(uniform_volume, 20, 20000), 400);
-      require_poisson("uniform volume 20", s, 3, sample(uniform_volume, 20, 20000), 150);
-      require_poisson("uniform volume 1000", s, 3, sample(uniform_volume, 1000, 50000), 1500);
-    });
-  }
-  assert_true(all);
+  assert_true(sweep(3, [](uint64_t s) {
+    require_poisson("equal sizes, 2D", s, 2, std::vector<double>(20000, 1), 250);
+    require_poisson("equal sizes", s, 3, std::vector<double>(20000, 1), 60);
+    require_poisson("two sizes", s, 3, two_sizes(10, 40000), 80);
+    require_poisson("uniform size 50", s, 3, sample(uniform_size, 50, 20000), 1600);
+    require_poisson("uniform volume 20, 2D", s, 2, sample(uniform_volume, 20, 20000), 400);
+    require_poisson("uniform volume 20", s, 3, sample(uniform_volume, 20, 20000), 150);
+    require_poisson("uniform volume 1000", s, 3, sample(uniform_volume, 1000, 50000), 1500);
+  }));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Packings of tangent spheres of all sizes whose contacts are known from how they are made.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 
 namespace {
 

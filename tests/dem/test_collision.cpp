@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Single collisions against closed forms: linear springs with dashpots, and Hertz contacts.
 #include "tests/dem/bodies.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <cstdio>
 

@@ -3,7 +3,7 @@
 // What the equations of motion keep: energy, momentum, angular momentum; and the way back in time.
 #include "dem/effects/table.hpp"
 #include "tests/dem/gas.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Gases against kinetic theory: Haff's law of cooling, and the pressure of a soft elastic gas.
 #include "tests/dem/gas.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <algorithm>
 #include <cstdio>

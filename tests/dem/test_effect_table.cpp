@@ -3,7 +3,7 @@
 // The table of effects: its bits and names, every set of effects it allows or refuses, every number it checks.
 #include "dem/effects/table.hpp"
 #include "tests/dem/bodies.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
 
 #include <cstdio>

@@ -3,7 +3,7 @@
 // Each effect against its formula, its absence, and what does not go together.
 #include "dem/effects/table.hpp"
 #include "tests/dem/gas.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
 
 #include <algorithm>

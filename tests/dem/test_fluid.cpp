@@ -12,7 +12,7 @@
 #include "packing/random.hpp"
 #include "tests/dem/bodies.hpp"
 #include "tests/packing/event/hard_spheres.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <cmath>
 #include <cstdio>

@@ -6,7 +6,7 @@
 // A sphere that hits with normal speed v and tangential slip u of its surface, sliding to the end, takes the tangential
 // impulse mu (1 + e) v per mass against the slip: the speed falls by it, the spin by 5/2 of it over r.
 #include "tests/dem/oblique.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <cstdio>
 

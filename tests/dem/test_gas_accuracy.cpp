@@ -5,7 +5,7 @@
 #include "programs/accuracy/simulation/gas_energy.hpp"
 #include "programs/accuracy/simulation/state_errors.hpp"
 #include "programs/accuracy/simulation/studies.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <cmath>
 #include <cstdio>

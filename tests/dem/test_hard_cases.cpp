@@ -4,7 +4,7 @@
 // contacts.
 #include "dem/effects/table.hpp"
 #include "tests/dem/gas.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
 
 #include <algorithm>

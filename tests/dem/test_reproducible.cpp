@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The same bits: for any number of threads, any skin, whoever looks, and through a checkpoint.
 #include "tests/dem/gas.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
 
 #include <cstdio>

@@ -3,7 +3,7 @@
 // Systems that come to rest, and hard starts: stacks, a heap, extreme ratios of size and mass, deep overlaps.
 #include "packing/random.hpp"
 #include "tests/dem/bodies.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <algorithm>
 #include <cstdio>

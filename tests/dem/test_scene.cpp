@@ -7,8 +7,8 @@
 #include "dem/scene/suggestion.hpp"
 #include "dem/scene/units.hpp"
 #include "packing/size_law.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
 #include "tests/particles/page.hpp"
+#include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
 
 #include <unistd.h>

@@ -4,7 +4,7 @@
 // images in open space.
 #include "dem/state/contact_search.hpp"
 #include "tests/dem/gas.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <algorithm>
 #include <cstdio>

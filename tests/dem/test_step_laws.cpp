@@ -6,7 +6,7 @@
 #include "programs/accuracy/simulation/contact_onset.hpp"
 #include "programs/accuracy/simulation/error_curves.hpp"
 #include "programs/accuracy/simulation/single_collision.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <cmath>
 #include <cstdio>

@@ -9,7 +9,7 @@
 // u(t_c) = u0 exp(-h t_c) (cos(w t_c) - h / w sin(w t_c)), w^2 = w0^2 - h^2. For q = 2/7 both motions are the same:
 // u(t_c) = -e u0.
 #include "tests/dem/oblique.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Arrays as hosts have them: packed at odd addresses, floats.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/rng.hpp"
 
 #include <cstring>

@@ -3,7 +3,6 @@
 // Inputs made to cost a grid time or memory. No clock: the work is counted, by hg_get_stats, against the particles and
 // the pairs that there are.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/rng.hpp"
 
 #include <cmath>

@@ -3,7 +3,6 @@
 // Where cells could go wrong: faces and corners, zero and just below it, numbers of cells beyond 32 and 64 bits, one
 // cell for all, levels with the same cell numbers, periodic boxes of one or two cells.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/rng.hpp"
 
 #include <cmath>
@@ -18,10 +17,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double below(double x) { return std::nextafter(x, -kInfinity); }
 double above(double x) { return std::nextafter(x, kInfinity); }
-
-void require_exact(const std::string &what, const hg_grid_def &def, const Particles &particles) {
-  require_same(what.c_str(), sorted_pairs_of(make_grid(def, particles)), all_pairs(def, particles, exact_interact));
-}
 
 hg_grid_def with_cells(const double *cells, int count) {
   hg_grid_def def = hg_default_grid_def();
@@ -142,30 +137,26 @@ void equal_cell_numbers_on_several_levels(void **) {
 
 // Cells as long as the box, half as long, longer, and of lengths that do not divide it.
 void periodic_boxes_of_few_cells(void **) {
-  bool all = true;
-  for (uint64_t seed = 0; seed < 40; seed++) {
-    all &= holds(seed, [](uint64_t s) {
-      Rng rng(s);
-      for (const double cell : {1.0, 0.5, 10.0, 0.7, 0.3}) {
-        const double cells[] = {0.25 * cell, cell};
-        hg_grid_def def = with_cells(cells, 2);
-        def.dimension = rng.integer(2, 3);
-        Particles particles;
-        particles.dimension = def.dimension;
-        for (int k = 0; k < def.dimension; k++) {
-          def.periodic[k] = rng.chance(0.8) ? 1 : 0;
-          def.box_max[k] = 1;
-        }
-        for (int i = 0; i < 30; i++) {
-          double center[3];
-          for (double &x : center) x = rng.chance(0.2) ? rng.integer(-2, 2) * 0.5 : rng.uniform(-1, 2);
-          particles.add(center, std::fmin(0.25, 0.5 * cell) * (rng.chance(0.3) ? 1 : rng.uniform()));
-        }
-        require_exact("cells of " + std::to_string(cell) + " in a box of 1", def, particles);
+  assert_true(sweep(40, [](uint64_t s) {
+    Rng rng(s);
+    for (const double cell : {1.0, 0.5, 10.0, 0.7, 0.3}) {
+      const double cells[] = {0.25 * cell, cell};
+      hg_grid_def def = with_cells(cells, 2);
+      def.dimension = rng.integer(2, 3);
+      Particles particles;
+      particles.dimension = def.dimension;
+      for (int k = 0; k < def.dimension; k++) {
+        def.periodic[k] = rng.chance(0.8) ? 1 : 0;
+        def.box_max[k] = 1;
       }
-    });
-  }
-  assert_true(all);
+      for (int i = 0; i < 30; i++) {
+        double center[3];
+        for (double &x : center) x = rng.chance(0.2) ? rng.integer(-2, 2) * 0.5 : rng.uniform(-1, 2);
+        particles.add(center, std::fmin(0.25, 0.5 * cell) * (rng.chance(0.3) ? 1 : rng.uniform()));
+      }
+      require_exact("cells of " + std::to_string(cell) + " in a box of 1", def, particles);
+    }
+  }));
 }
 
 }  // namespace

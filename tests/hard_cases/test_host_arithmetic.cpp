@@ -3,7 +3,6 @@
 // The floating-point state belongs to the host: other rounding modes, subnormal numbers flushed to zero. HG_EXACT must
 // not notice, on one thread or several.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/scenes.hpp"
 
 #include <cfenv>
@@ -87,47 +86,35 @@ void check(const Scene &scene, Arguments... arguments) {
 }
 
 void any_rounding_mode(void **) {
-  bool all = true;
   for (const int mode : {FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO}) {
-    for (uint64_t seed = 0; seed < 120; seed++) {
-      all &= holds(seed, [=](uint64_t s) { check<Rounding>(draw(s), mode); });
-      if (seed < 40) all &= holds(seed, [=](uint64_t s) { check<Rounding>(draw_near_ties(s), mode); });
-    }
+    assert_true(sweep(120, [=](uint64_t seed) { check<Rounding>(draw(seed), mode); }));
+    assert_true(sweep(40, [=](uint64_t seed) { check<Rounding>(draw_near_ties(seed), mode); }));
   }
-  assert_true(all);
 }
 
 void flush_to_zero(void **) {
   if (!kCanFlush) skip();
-  bool all = true;
-  for (uint64_t seed = 0; seed < 120; seed++) {
-    all &= holds(seed, [](uint64_t s) { check<Flushing>(draw(s)); });
-  }
-  assert_true(all);
+  assert_true(sweep(120, [](uint64_t seed) { check<Flushing>(draw(seed)); }));
 }
 
 // Subnormal coordinates and radii are zero to the host's arithmetic, not to the set of pairs.
 void flush_to_zero_with_subnormal_input(void **) {
   if (!kCanFlush) skip();
-  bool all = true;
-  for (uint64_t seed = 0; seed < 60; seed++) {
-    all &= holds(seed, [](uint64_t s) {
-      Rng rng(s);
-      Scene scene;
-      scene.name = "subnormal";
-      const double unit = rng.chance(0.5) ? 0x1p-1074 : 0x1p-1030;
-      scene.def.margin = rng.chance(0.3) ? unit : 0;
-      for (int i = 0; i < 50; i++) {
-        double x[3];
-        for (double &coordinate : x) coordinate = rng.integer(-20, 20) * unit;
-        scene.particles.add(x, rng.integer(0, 6) * unit);
-      }
-      const double ordinary[3] = {1, 0, 0};
-      if (rng.chance(0.5)) scene.particles.add(ordinary, 1);
-      check<Flushing>(scene);
-    });
-  }
-  assert_true(all);
+  assert_true(sweep(60, [](uint64_t s) {
+    Rng rng(s);
+    Scene scene;
+    scene.name = "subnormal";
+    const double unit = rng.chance(0.5) ? 0x1p-1074 : 0x1p-1030;
+    scene.def.margin = rng.chance(0.3) ? unit : 0;
+    for (int i = 0; i < 50; i++) {
+      double x[3];
+      for (double &coordinate : x) coordinate = rng.integer(-20, 20) * unit;
+      scene.particles.add(x, rng.integer(0, 6) * unit);
+    }
+    const double ordinary[3] = {1, 0, 0};
+    if (rng.chance(0.5)) scene.particles.add(ordinary, 1);
+    check<Flushing>(scene);
+  }));
 }
 
 // -2^-1074 is negative, though it compares equal to zero in this state.

@@ -3,7 +3,6 @@
 // Where particles are: so far out that coordinates are coarser than radii, in a line or plane, just outside a periodic
 // box, on the way through its faces, and the same set elsewhere.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/rng.hpp"
 
 #include <cmath>
@@ -12,10 +11,6 @@
 namespace {
 
 using namespace hgtest;
-
-void require_exact(const std::string &what, const hg_grid_def &def, const Particles &particles) {
-  require_same(what.c_str(), sorted_pairs_of(make_grid(def, particles)), all_pairs(def, particles, exact_interact));
-}
 
 // At 1e9 doubles are 1.2e-7 apart, so radii of 1e-6 span a few of them: the stored positions are the truth.
 void tiny_radii_at_1e9(void **) {

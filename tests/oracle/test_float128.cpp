@@ -4,7 +4,6 @@
 // do overlap. Differences and squares of such doubles are exact in 113 bits, the sum of two squares is not.
 #include "tests/oracle/whole_numbers.hpp"
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 
 namespace {
 

@@ -4,7 +4,6 @@
 // scenes of every kind, and in sizes whose squares leave the range of doubles.
 #include "tests/oracle/whole_numbers.hpp"
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/scenes.hpp"
 
 #include <cmath>
@@ -32,49 +31,37 @@ void check(const Scene &scene) {
 }
 
 void open_scenes_agree(void **) {
-  bool all = true;
-  for (uint64_t seed = 0; seed < uint64_t{4} * kPlacesCount * kSizesCount; seed++) {
-    all &= holds(seed, [](uint64_t s) {
-      Rng rng(s);
-      const auto places = static_cast<Places>(s % kPlacesCount);
-      const auto sizes = static_cast<Sizes>(s / kPlacesCount % kSizesCount);
-      check(open_scene(rng, 2 + static_cast<int>(rng.below(2)), rng.below(kMostParticles), sizes, places));
-    });
-  }
-  assert_true(all);
+  assert_true(sweep(uint64_t{4} * kPlacesCount * kSizesCount, [](uint64_t s) {
+    Rng rng(s);
+    const auto places = static_cast<Places>(s % kPlacesCount);
+    const auto sizes = static_cast<Sizes>(s / kPlacesCount % kSizesCount);
+    check(open_scene(rng, 2 + static_cast<int>(rng.below(2)), rng.below(kMostParticles), sizes, places));
+  }));
 }
 
 void periodic_scenes_agree(void **) {
-  bool all = true;
-  for (uint64_t seed = 0; seed < uint64_t{2} * 7 * kSizesCount; seed++) {
-    all &= holds(seed, [](uint64_t s) {
-      Rng rng(s);
-      const int axes = 1 + static_cast<int>(s % 7);
-      const auto sizes = static_cast<Sizes>(s / 7 % kSizesCount);
-      check(periodic_scene(rng, axes > 3 ? 3 : 2 + static_cast<int>(rng.below(2)), axes, rng.below(kMostParticles),
-                           sizes));
-    });
-  }
-  assert_true(all);
+  assert_true(sweep(uint64_t{2} * 7 * kSizesCount, [](uint64_t s) {
+    Rng rng(s);
+    const int axes = 1 + static_cast<int>(s % 7);
+    const auto sizes = static_cast<Sizes>(s / 7 % kSizesCount);
+    check(
+        periodic_scene(rng, axes > 3 ? 3 : 2 + static_cast<int>(rng.below(2)), axes, rng.below(kMostParticles), sizes));
+  }));
 }
 
 // Squares that overflow, or round to nothing.
 void scenes_of_any_scale_agree(void **) {
-  bool all = true;
   for (const int power : {500, -480, -540, -1000}) {
-    for (uint64_t seed = 0; seed < kPlacesCount; seed++) {
-      all &= holds(seed, [power](uint64_t s) {
-        Rng rng(s);
-        Scene scene = open_scene(rng, 3, kMostParticles, Sizes::kUniform, static_cast<Places>(s));
-        scale(scene, power);
-        check(scene);
-        scene = periodic_scene(rng, 3, 7, kMostParticles, Sizes::kUniform);
-        scale(scene, power);
-        check(scene);
-      });
-    }
+    assert_true(sweep(kPlacesCount, [power](uint64_t seed) {
+      Rng rng(seed);
+      Scene scene = open_scene(rng, 3, kMostParticles, Sizes::kUniform, static_cast<Places>(seed));
+      scale(scene, power);
+      check(scene);
+      scene = periodic_scene(rng, 3, 7, kMostParticles, Sizes::kUniform);
+      scale(scene, power);
+      check(scene);
+    }));
   }
-  assert_true(all);
 }
 
 // Two spheres that touch within rounding, in any direction: whether they overlap is left to the last digits.

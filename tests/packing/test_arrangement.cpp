@@ -3,8 +3,8 @@
 // Functions of plain arithmetic against the C library, and arrangements against the shares that define them.
 #include "packing/arrangement.hpp"
 #include "packing/portable_math.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
 #include "tests/particles/page.hpp"
+#include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
 
 #include <algorithm>

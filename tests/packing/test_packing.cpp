@@ -3,7 +3,7 @@
 // Packings from end to end: density, walls, periodic images, progress of the relaxation, reproducibility, refusals.
 #include "oracle/pairs.hpp"
 #include "packing/packing.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
 
 #include <algorithm>
@@ -227,8 +227,8 @@ bool nonsense_is_refused() {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(passes<spheres_of_the_paper>),     cmocka_unit_test(passes<disks_of_the_paper>),
-      cmocka_unit_test(passes<spheres_of_other_laws>),           cmocka_unit_test(passes<periodic_axes>),
+      cmocka_unit_test(passes<spheres_of_the_paper>),    cmocka_unit_test(passes<disks_of_the_paper>),
+      cmocka_unit_test(passes<spheres_of_other_laws>),   cmocka_unit_test(passes<periodic_axes>),
       cmocka_unit_test(passes<same_seed_same_bytes>),    cmocka_unit_test(passes<packings_stay_what_they_were>),
       cmocka_unit_test(passes<coincident_centers_part>), cmocka_unit_test(passes<a_contact_keeps_the_center_of_mass>),
       cmocka_unit_test(passes<nonsense_is_refused>),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The generator against published output, and its mappings against what they must fulfil.
 #include "packing/random.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <algorithm>
 #include <numeric>

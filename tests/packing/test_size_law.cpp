@@ -3,8 +3,8 @@
 // The size laws against closed forms and reference values of the paper's systems.
 #include "packing/size_law.hpp"
 #include "particles/error.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
 #include "tests/particles/page.hpp"
+#include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Reading LAMMPS text dumps: what is accepted, and the message for each thing that is not.
-#include "tests/particles/cmocka_cpp.hpp"
 #include "tests/particles/reading.hpp"
+#include "tests/support/frame.h"
 
 using test::of_dimension;
 using test::of_frame;

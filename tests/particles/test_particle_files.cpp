@@ -4,9 +4,9 @@
 #include "particles/files/writer.hpp"
 #include "particles/text/output.hpp"
 #include "particles/text/text_file.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
 #include "tests/particles/page.hpp"
 #include "tests/particles/reading.hpp"
+#include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
 #include "tests/support/rng.hpp"
 

@@ -8,7 +8,7 @@
 #include "programs/bench/hierarchical_grid.hpp"
 #include "programs/bench/linked_cell.hpp"
 #include "programs/bench/pair_sets.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <hgrid/hgrid.hpp>
 

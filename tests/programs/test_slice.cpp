@@ -4,7 +4,7 @@
 #include "programs/draw/slice.hpp"
 #include "programs/draw/slice_picture.hpp"
 #include "programs/draw/svg.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <cmath>
 #include <string>

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // HG_DOUBLE equals the plain expression bit for bit; HG_FLOAT misses nothing and adds only pairs that nearly touch.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/scenes.hpp"
 
 #include <algorithm>
@@ -34,11 +33,7 @@ void check_double(uint64_t seed) {
   require_same(scene.name.c_str(), sorted_pairs_of(grid), all_pairs(scene.def, scene.particles, double_interact));
 }
 
-void double_is_the_plain_expression(void **) {
-  bool all = true;
-  for (uint64_t seed = 0; seed < 1200; seed++) all &= holds(seed, check_double);
-  assert_true(all);
-}
+void double_is_the_plain_expression(void **) { assert_true(sweep(1200, check_double)); }
 
 Sphere row(const Scene &scene, int32_t id) {
   const size_t i = static_cast<size_t>(id - scene.def.index_base);
@@ -96,15 +91,13 @@ void check_float_in_shortest_box(uint64_t seed) {
 }
 
 void float_misses_nothing(void **) {
-  bool all = true;
-  for (uint64_t seed = 0; seed < 1200; seed++) all &= holds(seed, check_float);
-  for (uint64_t seed = 0; seed < 60; seed++) all &= holds(seed, check_float_in_shortest_box);
-  assert_true(all);
+  assert_true(sweep(1200, check_float));
+  assert_true(sweep(60, check_float_in_shortest_box));
 }
 
 // Points whose reach is zero never overlap, however the distance is rounded.
 void points_never_overlap(void **) {
-  const bool all = holds(0, [](uint64_t) {
+  assert_true(holds(0, [](uint64_t) {
     for (int accuracy = HG_EXACT; accuracy <= HG_FLOAT; accuracy++) {
       hg_grid_def def = hg_default_grid_def();
       def.accuracy = accuracy;
@@ -115,8 +108,7 @@ void points_never_overlap(void **) {
       }
       require_same("points", pairs_of(make_grid(def, particles)), {});
     }
-  });
-  assert_true(all);
+  }));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Random sequences of insert, move, remove and clear, with queries in between, against a plain list of the particles.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/scenes.hpp"
 
 #include <algorithm>
@@ -14,7 +13,7 @@ using namespace hgtest;
 // A grid and what it must hold, driven by one random stream.
 class Walk {
  public:
-  Walk(uint64_t seed, double skin) : rng_(seed), scene_(draw_scene(rng_)) {
+  Walk(uint64_t seed, double skin) : rng_(seed), scene_(any_scene(rng_, 120)) {
     scene_.def.skin = skin;
     pool_ = scene_.particles;
     live_.dimension = pool_.dimension;
@@ -42,16 +41,6 @@ class Walk {
   }
 
  private:
-  static Scene draw_scene(Rng &rng) {
-    const int dimension = rng.integer(2, 3);
-    const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
-    Scene scene = rng.chance(0.5)
-                      ? periodic_scene(rng, dimension, rng.integer(1, (1 << dimension) - 1), 120, sizes)
-                      : open_scene(rng, dimension, 120, sizes, static_cast<Places>(rng.below(kPlacesCount)));
-    draw_levels(rng, scene);
-    return scene;
-  }
-
   // Particles come from the pool of the scene, so that boxes and user cells always fit them.
   size_t any_of_pool() { return rng_.below(pool_.count()); }
 
@@ -127,20 +116,12 @@ class Walk {
 };
 
 void any_sequence(void **) {
-  bool all = true;
-  for (uint64_t seed = 0; seed < 150; seed++) {
-    all &= holds(seed, [](uint64_t s) { Walk(s, 0).run(25); });
-  }
-  assert_true(all);
+  assert_true(sweep(150, [](uint64_t seed) { Walk(seed, 0).run(25); }));
 }
 
 // The skin saves searches while particles move little; the answers are the same.
 void any_sequence_with_skin(void **) {
-  bool all = true;
-  for (uint64_t seed = 500; seed < 600; seed++) {
-    all &= holds(seed, [](uint64_t s) { Walk(s, s % 2 == 0 ? 0.1 : 1e-5).run(25); });
-  }
-  assert_true(all);
+  assert_true(sweep(100, [](uint64_t seed) { Walk(500 + seed, seed % 2 == 0 ? 0.1 : 1e-5).run(25); }));
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 // Pairs that no rounded test can tell from touching: one unit in the last place around it, subnormal numbers, cell
 // faces.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/scenes.hpp"
 
 #include <cmath>
@@ -12,17 +11,6 @@
 namespace {
 
 using namespace hgtest;
-
-bool sweep(uint64_t rounds, void (*check)(uint64_t)) {
-  bool all = true;
-  for (uint64_t seed = 0; seed < rounds; seed++) all &= holds(seed, check);
-  return all;
-}
-
-void require_exact(const char *what, const hg_grid_def &def, const Particles &particles) {
-  const Grid grid = make_grid(def, particles);
-  require_same(what, sorted_pairs_of(grid), all_pairs(def, particles, exact_interact));
-}
 
 double step(double x, int ulps) {
   const double to = ulps < 0 ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();

@@ -3,7 +3,6 @@
 // The paper's four size laws at its own N = 125 001, where comparing all pairs would take too long: the oracle sorts
 // particles into cells by powers of two of their size and decides every near pair exactly.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/rng.hpp"
 #include "tests/support/size_laws.hpp"
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // HG_EXACT with any mix of periodic axes, particles on the faces and many periods outside of the box.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/scenes.hpp"
 
 #include <cmath>
@@ -12,22 +11,17 @@ namespace {
 using namespace hgtest;
 
 void check_random(uint64_t seed, int dimension, int axes) {
-  Rng rng(seed);
+  Rng rng(seed + 10000 * static_cast<uint64_t>(dimension) + 1000 * static_cast<uint64_t>(axes));
   const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
   const size_t count = rng.chance(0.1) ? rng.below(4) : rng.below(301);
   Scene scene = periodic_scene(rng, dimension, axes, count, sizes);
   draw_levels(rng, scene);
-  const Grid grid = make_grid(scene.def, scene.particles);
-  require_same(scene.name.c_str(), sorted_pairs_of(grid), all_pairs(scene.def, scene.particles, exact_interact));
+  require_exact(scene.name, scene.def, scene.particles);
 }
 
 template <int dimension, int axes>
 void any_sizes(void **) {
-  bool all = true;
-  for (uint64_t round = 0; round < 60; round++) {
-    all &= holds(10000 * dimension + 1000 * axes + round, [](uint64_t seed) { check_random(seed, dimension, axes); });
-  }
-  assert_true(all);
+  assert_true(sweep(60, [](uint64_t seed) { check_random(seed, dimension, axes); }));
 }
 
 // The shortest box that is allowed: L is twice the reach exactly, so that a particle on the far side of another is
@@ -49,17 +43,12 @@ void check_shortest(uint64_t seed, double length) {
     for (double &coordinate : x) coordinate = rng.integer(-64, 64) * (length / 16);
     particles.add(x, rng.chance(0.5) ? radius : rng.uniform(0, radius));
   }
-  const Grid grid = make_grid(def, particles);
-  require_same("shortest box", sorted_pairs_of(grid), all_pairs(def, particles, exact_interact));
+  require_exact("shortest box", def, particles);
 }
 
 void shortest_box(void **) {
-  bool all = true;
-  for (uint64_t seed = 0; seed < 60; seed++) {
-    all &= holds(seed, [](uint64_t s) { check_shortest(s, 1); });
-    all &= holds(seed, [](uint64_t s) { check_shortest(s, 0x1p-40); });
-  }
-  assert_true(all);
+  assert_true(sweep(60, [](uint64_t seed) { check_shortest(seed, 1); }));
+  assert_true(sweep(60, [](uint64_t seed) { check_shortest(seed, 0x1p-40); }));
 }
 
 // Pairs that touch across a face up to a few units in the last place, with a box whose length is not a double.
@@ -81,15 +70,10 @@ void check_face(uint64_t seed) {
     particles.add(low, r);
     particles.add(high, s);
   }
-  const Grid grid = make_grid(def, particles);
-  require_same("across a face", sorted_pairs_of(grid), all_pairs(def, particles, exact_interact));
+  require_exact("across a face", def, particles);
 }
 
-void near_ties_across_a_face(void **) {
-  bool all = true;
-  for (uint64_t seed = 0; seed < 300; seed++) all &= holds(seed, check_face);
-  assert_true(all);
-}
+void near_ties_across_a_face(void **) { assert_true(sweep(300, check_face)); }
 
 }  // namespace
 

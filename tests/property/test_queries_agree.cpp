@@ -3,7 +3,6 @@
 // All ways to ask one grid give the same answer: pairs in both orders, batches, neighbour lists, spheres; for any
 // number of threads, and again the same bytes.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/scenes.hpp"
 
 #include <algorithm>
@@ -15,22 +14,6 @@ namespace {
 
 using namespace hgtest;
 
-Scene draw(Rng &rng, size_t count) {
-  const int dimension = rng.integer(2, 3);
-  const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
-  Scene scene = rng.chance(0.5)
-                    ? periodic_scene(rng, dimension, rng.integer(1, (1 << dimension) - 1), count, sizes)
-                    : open_scene(rng, dimension, count, sizes, static_cast<Places>(rng.below(kPlacesCount)));
-  draw_levels(rng, scene);
-  return scene;
-}
-
-bool sweep(uint64_t rounds, void (*check)(uint64_t)) {
-  bool all = true;
-  for (uint64_t seed = 0; seed < rounds; seed++) all &= holds(seed, check);
-  return all;
-}
-
 Pairs visited(const Grid &grid) {
   Pairs pairs;
   grid.visit_pairs([&](hgrid::View<hg_pair> batch) { pairs.insert(pairs.end(), batch.begin(), batch.end()); });
@@ -39,7 +22,7 @@ Pairs visited(const Grid &grid) {
 
 void check_orders(uint64_t seed) {
   Rng rng(seed);
-  Scene scene = draw(rng, rng.below(200));
+  Scene scene = any_scene(rng, rng.below(200));
   const Pairs expected = all_pairs(scene.def, scene.particles, exact_interact);
   Pairs in_grid_order;
   for (int32_t threads = 1; threads <= 4; threads++) {
@@ -96,7 +79,7 @@ Pairs pairs_from_lists(const Grid &grid, const hg_grid_def &def, size_t count, i
 
 void check_neighbors(uint64_t seed) {
   Rng rng(seed);
-  const Scene scene = draw(rng, rng.below(250));
+  const Scene scene = any_scene(rng, rng.below(250));
   const Grid grid = make_grid(scene.def, scene.particles);
   const Pairs expected = all_pairs(scene.def, scene.particles, exact_interact);
   require_same("half list", pairs_from_lists(grid, scene.def, scene.particles.count(), HG_HALF), expected);
@@ -109,7 +92,7 @@ void neighbour_lists(void **) { assert_true(sweep(250, check_neighbors)); }
 // Spheres at and between the particles, from points to larger than everything.
 void check_spheres(uint64_t seed) {
   Rng rng(seed);
-  Scene scene = draw(rng, 1 + rng.below(200));
+  Scene scene = any_scene(rng, 1 + rng.below(200));
   scene.def.accuracy = rng.chance(0.7) ? HG_EXACT : HG_DOUBLE;
   oracle::Rule *rule = scene.def.accuracy == HG_EXACT ? exact_interact : double_interact;
   const Grid grid = make_grid(scene.def, scene.particles);

@@ -4,7 +4,6 @@
 // growing and shrinking radii, steps of just half the skin, faces of periodic boxes. Neighbours, visits and spheres
 // agree with them.
 #include "tests/support/compare.hpp"
-#include "tests/support/frame.h"
 #include "tests/support/scenes.hpp"
 
 #include <algorithm>
@@ -41,13 +40,7 @@ class Run {
 
  private:
   static Scene draw(Rng &rng) {
-    const int dimension = rng.integer(2, 3);
-    const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
-    const size_t count = 1 + rng.below(150);
-    Scene scene = rng.chance(0.5)
-                      ? periodic_scene(rng, dimension, rng.integer(1, (1 << dimension) - 1), count, sizes)
-                      : open_scene(rng, dimension, count, sizes, static_cast<Places>(rng.below(kPlacesCount)));
-    draw_levels(rng, scene);
+    Scene scene = any_scene(rng, 1 + rng.below(150));
     scene.def.accuracy = rng.chance(0.3) ? HG_DOUBLE : HG_EXACT;
     scene.def.pair_order = rng.integer(HG_ORDER_GRID, HG_ORDER_ID);
     return scene;
@@ -152,9 +145,7 @@ void check_steps(uint64_t seed) {
 }
 
 void same_pairs_after_any_step(void **) {
-  bool all = true;
-  for (uint64_t seed = 0; seed < 700; seed++) all &= holds(seed, check_steps);
-  assert_true(all);
+  assert_true(sweep(700, check_steps));
   // Both ways of answering must have been tried.
   assert_true(filtered > 500);
   assert_true(searched > 500);
@@ -186,11 +177,7 @@ void check_coarse_places(uint64_t seed) {
     grid.move(particles.count(), particles.centers.data());
   }
 }
-void coarse_places(void **) {
-  bool all = true;
-  for (uint64_t seed = 0; seed < 100; seed++) all &= holds(seed, check_coarse_places);
-  assert_true(all);
-}
+void coarse_places(void **) { assert_true(sweep(100, check_coarse_places)); }
 
 Pairs after_steps(const Scene &start, double step, int threads, int steps) {
   hg_grid_def def = start.def;
@@ -210,7 +197,7 @@ Pairs after_steps(const Scene &start, double step, int threads, int steps) {
 
 // The list, its order included, does not depend on the threads.
 void order_for_any_number_of_threads(void **) {
-  const bool all = holds(5, [](uint64_t seed) {
+  assert_true(holds(5, [](uint64_t seed) {
     Rng rng(seed);
     Scene scene = periodic_scene(rng, 3, 5, 22000, Sizes::kUniformVolume);
     scene.def.pair_order = HG_ORDER_GRID;
@@ -220,8 +207,7 @@ void order_for_any_number_of_threads(void **) {
     for (const int threads : {2, 5}) {
       require_same("threads", after_steps(scene, 0.05 * radius, threads, 4), alone);
     }
-  });
-  assert_true(all);
+  }));
 }
 
 }  // namespace

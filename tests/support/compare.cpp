@@ -56,8 +56,8 @@ Pairs sorted(Pairs pairs) {
 
 Pairs sorted_pairs_of(const Grid &grid) { return sorted(pairs_of(grid)); }
 
-void report(uint64_t seed, const char *text) {
-  std::fprintf(stderr, "seed %llu: %s\n", static_cast<unsigned long long>(seed), text);
+void require_exact(const std::string &what, const hg_grid_def &def, const Particles &particles) {
+  require_same(what.c_str(), sorted_pairs_of(make_grid(def, particles)), all_pairs(def, particles, exact_interact));
 }
 
 }  // namespace hgtest

@@ -22,4 +22,12 @@ extern "C" {
 #ifdef __cplusplus
 /* This macro would rewrite hg::fail and member functions of the standard library. */
 #undef fail
+
+/* The test that a check is true. It asserts when no object of the check is alive any more: a failed assertion leaves by
+ * longjmp, which skips destructors. */
+template <bool (*Check)()>
+void passes(void **) {
+  const bool ok = Check();
+  assert_true(ok);
+}
 #endif

@@ -211,6 +211,16 @@ Scene periodic_scene(Rng &rng, int dimension, int axes, size_t count, Sizes size
   return scene;
 }
 
+Scene any_scene(Rng &rng, size_t count) {
+  const int dimension = rng.integer(2, 3);
+  const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
+  Scene scene = rng.chance(0.5)
+                    ? periodic_scene(rng, dimension, rng.integer(1, (1 << dimension) - 1), count, sizes)
+                    : open_scene(rng, dimension, count, sizes, static_cast<Places>(rng.below(kPlacesCount)));
+  draw_levels(rng, scene);
+  return scene;
+}
+
 void draw_levels(Rng &rng, Scene &scene) {
   hg_grid_def &def = scene.def;
   const double overheads[] = {-1, 0, 0.3, 7};

@@ -57,6 +57,9 @@ Scene open_scene(Rng &rng, int dimension, size_t count, Sizes sizes, Places plac
 // A scene with the axes of the bit mask periodic; some particles lie many periods outside the box.
 Scene periodic_scene(Rng &rng, int dimension, int axes, size_t count, Sizes sizes);
 
+// Any of these, with any level rule.
+Scene any_scene(Rng &rng, size_t count);
+
 // Any level rule; USER cells are random but large enough for the scene.
 void draw_levels(Rng &rng, Scene &scene);
 

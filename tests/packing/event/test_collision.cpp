@@ -3,7 +3,7 @@
 // Meeting times, exits from hulls and impulses against closed forms and against the equation that they solve.
 #include "packing/event/collision.hpp"
 #include "packing/random.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <cmath>
 #include <cstdio>

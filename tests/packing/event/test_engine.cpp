@@ -4,7 +4,7 @@
 // that looks at all pairs and images in every step.
 #include "packing/event/collision.hpp"
 #include "tests/packing/event/systems.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
 
 #include <cstdio>

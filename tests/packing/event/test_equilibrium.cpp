@@ -8,7 +8,7 @@
 #include "packing/event/growth.hpp"
 #include "packing/random.hpp"
 #include "tests/packing/event/hard_spheres.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <cmath>
 #include <cstdio>
@@ -107,8 +107,8 @@ bool the_formula_for_mixtures() {
   for (size_t i = 0; i < 125; i++) radii[i] = 10;
   const Fluid fluid(radii, 3);
   return within("Z at 0.3", fluid.compressibility(0.3), 2.68279, 2e-6) &&
-                  within("Z at 0.45", fluid.compressibility(0.45), 5.32479, 2e-6) &&
-                  within("Z at 0.62", fluid.compressibility(0.62), 15.3153, 4e-6);
+         within("Z at 0.45", fluid.compressibility(0.45), 5.32479, 2e-6) &&
+         within("Z at 0.62", fluid.compressibility(0.62), 15.3153, 4e-6);
 }
 
 bool is_mixture(double density) {

@@ -3,7 +3,7 @@
 // The queue of events against a plain search for the earliest.
 #include "packing/event/event_queue.hpp"
 #include "packing/random.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -4,7 +4,7 @@
 #include "packing/event/growth.hpp"
 #include "packing/event/overlaps.hpp"
 #include "tests/packing/event/systems.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
 
 #include <cstdio>

@@ -3,7 +3,7 @@
 // Lists of partners against a comparison of all hulls, while particles wander far beyond their outer hulls.
 #include "packing/event/hull_lists.hpp"
 #include "packing/random.hpp"
-#include "tests/particles/cmocka_cpp.hpp"
+#include "tests/support/frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,9 +85,7 @@ bool wander(int dimension, std::array<bool, 3> periodic) {
 
 bool partners_in_open_space() { return wander(3, {false, false, false}); }
 
-bool partners_through_periodic_boundaries() {
-  return wander(3, {true, true, true}) && wander(3, {false, true, false});
-}
+bool partners_through_periodic_boundaries() { return wander(3, {true, true, true}) && wander(3, {false, true, false}); }
 
 bool partners_of_disks() { return wander(2, {true, false, false}); }
 
