@@ -9,22 +9,6 @@ scenes=$(realpath "$(dirname "${BASH_SOURCE[0]}")/../../scenes")
 # shellcheck source=tests/support/checks.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../support/checks.sh"
 
-# equal WHAT FOUND EXPECTED
-equal() { [ "$2" = "$3" ] || fault "$1: found '$2', expected '$3'"; }
-
-# fails CODE TEXT ARGUMENT...: the command ends with this exit code, says TEXT on standard error, nothing on the other.
-fails() {
-  local code=$1 text=$2 found
-  shift 2
-  "$hgrid" "$@" >out.txt 2>err.txt
-  found=$?
-  equal "exit code of $*" "$found" "$code"
-  [ -s out.txt ] && fault "$*: standard output is not empty"
-  grep -qF -- "$text" err.txt || fault "$*: no '$text' in '$(cat err.txt)'"
-}
-
-contacts() { "$hgrid" pairs "$@" --count | awk '$1 == "contacts" && NF == 2 { print $2 }'; }
-
 # lattice M PARITY RADIUS: the points of an M x M x M block, all of them or those with an even sum of coordinates (fcc).
 lattice() {
   awk -v m="$1" -v even="$2" -v r="$3" 'BEGIN {

@@ -10,14 +10,12 @@ shift 4
 # shellcheck source=tests/support/checks.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../support/checks.sh"
 
-# contacts FILE ACCURACY: what hgrid pairs finds without the box.
-contacts() { "$hgrid" pairs "$1" --open --accuracy "$2" --count | awk '$1 == "contacts" && NF == 2 { print $2 }'; }
-
 # Every row found the pairs of `hgrid pairs`: the library in its accuracy, all others as doubles decide.
 check_rows() {
   paste -d, <(field variant times.csv) <(field contestant times.csv) <(field pairs times.csv) \
     <(field verdict times.csv) <(field median_ns_per_particle times.csv) |
-    awk -F, -v in_doubles="$(contacts "$1" double)" -v exact="$(contacts "$1" exact)" '
+    awk -F, -v in_doubles="$(contacts "$1" --open --accuracy double)" \
+      -v exact="$(contacts "$1" --open --accuracy exact)" '
       { expected = $2 == "library" && $1 !~ /double/ ? exact : in_doubles; if ($1 ~ /float/) expected = $3 }
       $3 != expected || $3 == 0 || $4 != "same pairs" || $5 <= 0 { bad = 1; print "bad row: " $0 }
       END { exit bad || NR < 4 }'

@@ -8,18 +8,6 @@ hgrid=$1
 
 works() { "$hgrid" "$@" >out.txt 2>err.txt || fault "$*: exit code $?: $(cat err.txt)"; }
 
-# fails CODE TEXT ARGUMENT...
-fails() {
-  local code=$1 text=$2 found
-  shift 2
-  "$hgrid" "$@" >out.txt 2>err.txt
-  found=$?
-  [ "$found" = "$code" ] || fault "$*: exit code $found, expected $code"
-  grep -qF -- "$text" err.txt || fault "$*: no '$text' in '$(cat err.txt)'"
-}
-
-contacts() { "$hgrid" pairs "$1" --count | awk '$1 == "contacts" && NF == 2 { print $2 }'; }
-
 small=(pack --count 3000 --ratio 10 --seed 5 --sweeps 20)
 works "${small[@]}" --output one.csv
 reported=$(awk '/ contacts, / { print $1 }' out.txt)

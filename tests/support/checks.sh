@@ -14,6 +14,23 @@ fault() {
   failures=$((failures + 1))
 }
 
+# equal WHAT FOUND EXPECTED
+equal() { [ "$2" = "$3" ] || fault "$1: found '$2', expected '$3'"; }
+
+# fails CODE TEXT ARGUMENT...: $hgrid ends with this exit code, says TEXT on standard error, nothing on the other.
+fails() {
+  local code=$1 text=$2 found
+  shift 2
+  "${hgrid:?}" "$@" >out.txt 2>err.txt
+  found=$?
+  equal "exit code of $*" "$found" "$code"
+  [ -s out.txt ] && fault "$*: standard output is not empty"
+  grep -qF -- "$text" err.txt || fault "$*: no '$text' in '$(cat err.txt)'"
+}
+
+# contacts FILE OPTION...: how many $hgrid finds.
+contacts() { "$hgrid" pairs "$@" --count | awk '$1 == "contacts" && NF == 2 { print $2 }'; }
+
 # finish TEXT: ends the test, with the text if all held.
 finish() {
   ((failures == 0)) || { echo "$failures checks failed" >&2 && exit 1; }

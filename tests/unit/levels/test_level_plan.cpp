@@ -3,6 +3,7 @@
 // The choice of levels: against Appendix A written literally, against reference values, and at the ends of doubles.
 #include "src/levels/level_plan.hpp"
 #include "src/levels/occupancy_cost.hpp"
+#include "tests/support/size_laws.hpp"
 #include "tests/unit/checks.hpp"
 #include "tests/unit/levels/literal_levels.hpp"
 
@@ -110,16 +111,6 @@ void check_literal(uint64_t seed) {
 
 void literal_appendix_a(void **) { assert_true(sweep(150, check_literal)); }
 
-// r_i = F^-1((i + 1/2) / N) for the law of equal volume per size class, r_min = 1.
-std::vector<double> uniform_volume(double omega, size_t count) {
-  std::vector<double> radii(count);
-  for (size_t i = 0; i < count; i++) {
-    const double F = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-    radii[i] = 1 / std::sqrt(1 - F * (1 - 1 / (omega * omega)));
-  }
-  return radii;
-}
-
 double edge_filled(const std::vector<double> &radii, double fraction) {
   double cubes = 0;
   for (double r : radii) cubes += r * r * r;
@@ -127,7 +118,7 @@ double edge_filled(const std::vector<double> &radii, double fraction) {
 }
 
 void check_uniform_volume_50(uint64_t) {
-  const std::vector<double> radii = uniform_volume(50, 125001);
+  const std::vector<double> radii = sample(uniform_volume, 50, 125001);
   const LevelRequest request = cube(edge_filled(radii, 0.62));
   require(std::fabs(request.volume.edge - 435.847842) < 1e-6, "S = %.9g", request.volume.edge);
   const LevelPlan plan = plan_of(radii, request, 0.3);
@@ -149,7 +140,7 @@ void check_uniform_volume_50(uint64_t) {
 
 // The best number of levels falls as visiting cells gets dearer.
 void check_overheads(uint64_t) {
-  const std::vector<double> radii = uniform_volume(50, 125001);
+  const std::vector<double> radii = sample(uniform_volume, 50, 125001);
   const double edge = edge_filled(radii, 0.62);
   static constexpr struct {
     double overhead;
