@@ -7,9 +7,8 @@
 
 #include <pthread.h>
 
-static void builds_once_and_searches_nothing(void **state) {
+TEST(builds_once_and_searches_nothing) {
   hg_grid *grid = make_chain(NULL);
-  (void)state;
   assert_int_equal(0, stats_of(grid).build_count);
   assert_ok(hg_build(grid));
   assert_int_equal(1, stats_of(grid).build_count);
@@ -21,10 +20,9 @@ static void builds_once_and_searches_nothing(void **state) {
   hg_destroy(grid);
 }
 
-static void a_change_asks_for_another(void **state) {
+TEST(a_change_asks_for_another) {
   const int32_t last = CHAIN_COUNT - 1;
   hg_grid *grid = make_chain(NULL);
-  (void)state;
   assert_ok(hg_build(grid));
   assert_ok(hg_remove(grid, 1, &last));
   assert_ok(hg_build(grid));
@@ -32,10 +30,9 @@ static void a_change_asks_for_another(void **state) {
   hg_destroy(grid);
 }
 
-static void empty_and_tiny_grids(void **state) {
+TEST(empty_and_tiny_grids) {
   const double center[3] = {1e300, -1e300, 5e-324}, radius = 0;
   hg_grid *grid = make_empty(NULL);
-  (void)state;
   assert_ok(hg_build(grid));
   assert_int_equal(0, stats_of(grid).particle_count);
   assert_ok(hg_insert(grid, 1, center, &radius));
@@ -45,15 +42,9 @@ static void empty_and_tiny_grids(void **state) {
   hg_destroy(grid);
 }
 
-static void null_is_refused(void **state) {
-  (void)state;
-  assert_status(HG_ERR_NULL, hg_build(NULL));
-}
+TEST(null_is_refused) { assert_status(HG_ERR_NULL, hg_build(NULL)); }
 
-static void refused_inside_a_visitor(void **state) {
-  (void)state;
-  assert_refused_in_visitor(hg_build);
-}
+TEST(refused_inside_a_visitor) { assert_refused_in_visitor(hg_build); }
 
 enum { READERS = 4, ROUNDS = 50 };
 
@@ -101,20 +92,11 @@ static int finds_pairs(hg_grid *grid) {
   return hg_query_pairs(grid, &pairs, &count) == HG_OK && count == CHAIN_COUNT - 1;
 }
 
-static void several_threads_may_read(void **state) {
-  (void)state;
-  assert_several_may(finds_spheres);
-}
+TEST(several_threads_may_read) { assert_several_may(finds_spheres); }
 
-static void several_threads_may_ask_for_pairs(void **state) {
-  (void)state;
-  assert_several_may(finds_pairs);
-}
+TEST(several_threads_may_ask_for_pairs) { assert_several_may(finds_pairs); }
 
-static void no_memory(void **state) {
-  (void)state;
-  assert_true(refuse_each_allocation_on_chain(hg_build) > 0);
-}
+TEST(no_memory) { assert_true(refuse_each_allocation_on_chain(hg_build) > 0); }
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(builds_once_and_searches_nothing),

@@ -16,9 +16,8 @@ static void fill_again(hg_grid *grid, int32_t first) {
   assert_chain(grid, first);
 }
 
-static void ids_start_anew(void **state) {
+TEST(ids_start_anew) {
   int32_t base;
-  (void)state;
   for (base = 0; base <= 1; ++base) {
     hg_grid_def def = hg_default_grid_def();
     hg_grid *grid;
@@ -38,11 +37,10 @@ static void ids_start_anew(void **state) {
 }
 
 /* A grid that was cleared may take other sizes than before, here much larger ones. */
-static void other_sizes_may_follow(void **state) {
+TEST(other_sizes_may_follow) {
   const double centers[6] = {0, 0, 0, 1e6, 0, 0}, radii[2] = {6e5, 6e5};
   const hg_pair expected = {0, 1};
   hg_grid *grid = make_chain(NULL);
-  (void)state;
   assert_chain(grid, 0);
   assert_ok(hg_clear(grid));
   assert_ok(hg_insert(grid, 2, centers, radii));
@@ -50,10 +48,9 @@ static void other_sizes_may_follow(void **state) {
   hg_destroy(grid);
 }
 
-static void memory_is_kept(void **state) {
+TEST(memory_is_kept) {
   hg_grid *grid;
   long long calls;
-  (void)state;
   failing_alloc_install();
   grid = make_chain(NULL);
   assert_chain(grid, 0);
@@ -66,15 +63,9 @@ static void memory_is_kept(void **state) {
   failing_alloc_remove();
 }
 
-static void null_is_refused(void **state) {
-  (void)state;
-  assert_status(HG_ERR_NULL, hg_clear(NULL));
-}
+TEST(null_is_refused) { assert_status(HG_ERR_NULL, hg_clear(NULL)); }
 
-static void refused_inside_a_visitor(void **state) {
-  (void)state;
-  assert_refused_in_visitor(hg_clear);
-}
+TEST(refused_inside_a_visitor) { assert_refused_in_visitor(hg_clear); }
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(ids_start_anew), cmocka_unit_test(other_sizes_may_follow),

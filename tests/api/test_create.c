@@ -7,16 +7,14 @@
 
 #include <string.h>
 
-static void null_def_means_defaults(void **state) {
+TEST(null_def_means_defaults) {
   hg_grid *grid = make_chain(NULL);
-  (void)state;
   assert_chain(grid, 0);
   hg_destroy(grid);
 }
 
-static void null_grid_is_refused(void **state) {
+TEST(null_grid_is_refused) {
   const hg_grid_def def = hg_default_grid_def();
-  (void)state;
   assert_status(HG_ERR_NULL, hg_create(&def, NULL));
   assert_status(HG_ERR_NULL, hg_create(NULL, NULL));
 }
@@ -29,9 +27,8 @@ static void refuse(hg_status status, const hg_grid_def *def, const char *member)
   assert_error_names(member);
 }
 
-static void zeroed_or_foreign_def_is_refused(void **state) {
+TEST(zeroed_or_foreign_def_is_refused) {
   hg_grid_def def;
-  (void)state;
   memset(&def, 0, sizeof def);
   refuse(HG_ERR_ARGUMENT, &def, "struct_size");
   def = hg_default_grid_def();
@@ -54,8 +51,7 @@ static void zeroed_or_foreign_def_is_refused(void **state) {
     hg_destroy(make_empty(&def_));            \
   } while (0)
 
-static void integers_out_of_range(void **state) {
-  (void)state;
+TEST(integers_out_of_range) {
   REFUSE_MEMBER(dimension, 1);
   REFUSE_MEMBER(dimension, 4);
   REFUSE_MEMBER(dimension, -3);
@@ -76,8 +72,7 @@ static void integers_out_of_range(void **state) {
   REFUSE_MEMBER(reserved1, -1);
 }
 
-static void integers_in_range(void **state) {
-  (void)state;
+TEST(integers_in_range) {
   ACCEPT_MEMBER(dimension, 2);
   ACCEPT_MEMBER(dimension, 3);
   ACCEPT_MEMBER(thread_count, 1);
@@ -91,8 +86,7 @@ static void integers_in_range(void **state) {
   ACCEPT_MEMBER(level_count, HG_MAX_LEVELS);
 }
 
-static void lengths_out_of_range(void **state) {
-  (void)state;
+TEST(lengths_out_of_range) {
   REFUSE_MEMBER(margin, -1e-300);
   REFUSE_MEMBER(margin, not_a_number());
   REFUSE_MEMBER(margin, infinity());
@@ -112,9 +106,8 @@ static void lengths_out_of_range(void **state) {
   ACCEPT_MEMBER(row_price, 1e308);
 }
 
-static void value_is_in_the_text(void **state) {
+TEST(value_is_in_the_text) {
   hg_grid_def def = hg_default_grid_def();
-  (void)state;
   def.margin = -0.125;
   refuse(HG_ERR_ARGUMENT, &def, "-0.125");
   def.margin = 0;
@@ -122,9 +115,8 @@ static void value_is_in_the_text(void **state) {
   refuse(HG_ERR_ARGUMENT, &def, "42");
 }
 
-static void periodic_axis_needs_a_box(void **state) {
+TEST(periodic_axis_needs_a_box) {
   int axis;
-  (void)state;
   for (axis = 0; axis < 3; ++axis) {
     hg_grid_def def = hg_default_grid_def();
     def.periodic[axis] = 1;
@@ -148,11 +140,10 @@ static void periodic_axis_needs_a_box(void **state) {
   }
 }
 
-static void too_many_levels(void **state) {
+TEST(too_many_levels) {
   hg_grid_def def = hg_default_grid_def();
   double sizes[HG_MAX_LEVELS + 1];
   int k;
-  (void)state;
   for (k = 0; k <= HG_MAX_LEVELS; ++k) sizes[k] = k + 1;
   def.level_count = HG_MAX_LEVELS + 1;
   refuse(HG_ERR_LIMIT, &def, "level_count");
@@ -164,11 +155,10 @@ static void too_many_levels(void **state) {
   hg_destroy(make_empty(&def));
 }
 
-static void user_levels_must_ascend(void **state) {
+TEST(user_levels_must_ascend) {
   double bad[6][3] = {{1, 3, 2}, {1, 2, 2}, {0, 1, 2}, {-1, 1, 2}, {1, 2, 0}, {1, 2, 0}};
   hg_grid_def def;
   int k;
-  (void)state;
   bad[4][2] = not_a_number();
   bad[5][2] = infinity();
   for (k = 0; k < 6; ++k) {
@@ -181,13 +171,12 @@ static void user_levels_must_ascend(void **state) {
   refuse(HG_ERR_ARGUMENT, &def, "level_count");
 }
 
-static void user_levels_are_copied(void **state) {
+TEST(user_levels_are_copied) {
   double sizes[] = {0.5, 1.5};
   hg_grid_def def = user_levels(sizes, 2);
   hg_grid *grid = make_empty(&def);
   const hg_level *levels;
   size_t count;
-  (void)state;
   sizes[0] = sizes[1] = -1;
   def.level_count = 0;
   assert_ok(hg_query_levels(grid, &levels, &count));
@@ -206,9 +195,8 @@ static hg_status create_with_levels(hg_grid **grid) {
 
 static void still_null(hg_grid *grid) { assert_null(grid); }
 
-static void no_memory(void **state) {
+TEST(no_memory) {
   const alloc_scenario scenario = {NULL, create_with_levels, still_null, NULL};
-  (void)state;
   assert_true(refuse_each_allocation(&scenario) > 0);
 }
 

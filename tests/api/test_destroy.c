@@ -7,14 +7,10 @@
 
 #include <string.h>
 
-static void null_is_fine(void **state) {
-  (void)state;
-  hg_destroy(NULL);
-}
+TEST(null_is_fine) { hg_destroy(NULL); }
 
-static void frees_everything(void **state) {
+TEST(frees_everything) {
   hg_grid *empty, *full;
-  (void)state;
   failing_alloc_install();
   empty = make_empty(NULL);
   full = make_chain(NULL);
@@ -34,9 +30,8 @@ static int32_t destroy_grid(void *context, const hg_pair *pairs, size_t count) {
   return 0;
 }
 
-static void ignored_inside_a_visitor(void **state) {
+TEST(ignored_inside_a_visitor) {
   hg_grid *grid = make_chain(NULL);
-  (void)state;
   assert_ok(hg_visit_pairs(grid, destroy_grid, grid));
   assert_true(strlen(hg_last_error()) > 0);
   assert_chain(grid, 0);

@@ -6,10 +6,9 @@
 
 #include <string.h>
 
-static void zero_before_the_first_search(void **state) {
+TEST(zero_before_the_first_search) {
   hg_grid *grid = make_chain(NULL);
   hg_grid_stats stats;
-  (void)state;
   memset(&stats, 0xff, sizeof stats);
   assert_ok(hg_get_stats(grid, &stats, sizeof stats));
   assert_int_equal(CHAIN_COUNT, stats.particle_count);
@@ -23,10 +22,9 @@ static void zero_before_the_first_search(void **state) {
   hg_destroy(grid);
 }
 
-static void counters_fit_together(void **state) {
+TEST(counters_fit_together) {
   hg_grid *grid = make_chain(NULL);
   hg_grid_stats stats;
-  (void)state;
   assert_chain(grid, 0);
   assert_ok(hg_get_stats(grid, &stats, sizeof stats));
   assert_int_equal(CHAIN_COUNT, stats.particle_count);
@@ -44,11 +42,10 @@ static void counters_fit_together(void **state) {
 }
 
 /* Spheres that exactly touch cannot be told from overlapping ones by any fast test. */
-static void touching_pairs_are_undecided(void **state) {
+TEST(touching_pairs_are_undecided) {
   const double centers[6] = {0, 0, 0, 2, 0, 0}, radii[2] = {1, 1};
   hg_grid *grid = make_grid(NULL, 2, centers, radii);
   hg_grid_stats stats;
-  (void)state;
   assert_pairs(grid, NULL, 0);
   assert_ok(hg_get_stats(grid, &stats, sizeof stats));
   assert_int_equal(1, stats.candidate_count);
@@ -56,13 +53,12 @@ static void touching_pairs_are_undecided(void **state) {
   hg_destroy(grid);
 }
 
-static void far_apart_is_never_tested(void **state) {
+TEST(far_apart_is_never_tested) {
   enum { COUNT = 1000 };
   static double centers[3 * COUNT], radii[COUNT];
   hg_grid_stats stats;
   hg_grid *grid;
   int i;
-  (void)state;
   for (i = 0; i < COUNT; ++i) {
     centers[3 * i] = 1e6 * i;
     radii[i] = 1;
@@ -75,11 +71,10 @@ static void far_apart_is_never_tested(void **state) {
   hg_destroy(grid);
 }
 
-static void changes_show(void **state) {
+TEST(changes_show) {
   const int32_t gone = 0;
   hg_grid *grid = make_chain(NULL);
   hg_grid_stats stats;
-  (void)state;
   assert_ok(hg_remove(grid, 1, &gone));
   assert_ok(hg_get_stats(grid, &stats, sizeof stats));
   assert_int_equal(CHAIN_COUNT - 1, stats.particle_count);
@@ -89,11 +84,10 @@ static void changes_show(void **state) {
   hg_destroy(grid);
 }
 
-static void a_shorter_struct_gets_its_part(void **state) {
+TEST(a_shorter_struct_gets_its_part) {
   hg_grid *grid = make_chain(NULL);
   hg_grid_stats stats;
   size_t byte;
-  (void)state;
   memset(&stats, 0x5a, sizeof stats);
   assert_ok(hg_get_stats(grid, &stats, sizeof stats.particle_count));
   assert_int_equal(CHAIN_COUNT, stats.particle_count);
@@ -103,10 +97,9 @@ static void a_shorter_struct_gets_its_part(void **state) {
   hg_destroy(grid);
 }
 
-static void bad_arguments(void **state) {
+TEST(bad_arguments) {
   hg_grid *grid = make_chain(NULL);
   hg_grid_stats stats;
-  (void)state;
   assert_status(HG_ERR_NULL, hg_get_stats(NULL, &stats, sizeof stats));
   assert_status(HG_ERR_NULL, hg_get_stats(grid, NULL, sizeof stats));
   assert_status(HG_ERR_ARGUMENT, hg_get_stats(grid, &stats, 0));
@@ -119,10 +112,7 @@ static hg_status stats_again(hg_grid *grid) {
   return hg_get_stats(grid, &stats, sizeof stats);
 }
 
-static void refused_inside_a_visitor(void **state) {
-  (void)state;
-  assert_refused_in_visitor(stats_again);
-}
+TEST(refused_inside_a_visitor) { assert_refused_in_visitor(stats_again); }
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(zero_before_the_first_search),

@@ -32,31 +32,27 @@ static void assert_defaults(const hg_grid_def *def) {
   }
 }
 
-static void fills_the_defaults(void **state) {
+TEST(fills_the_defaults) {
   hg_grid_def def;
-  (void)state;
   memset(&def, 0xff, sizeof def);
   assert_ok(hg_grid_def_init(&def, sizeof def));
   assert_defaults(&def);
 }
 
-static void default_by_value_is_the_same(void **state) {
+TEST(default_by_value_is_the_same) {
   const hg_grid_def def = hg_default_grid_def();
-  (void)state;
   assert_defaults(&def);
 }
 
-static void null_is_refused(void **state) {
-  (void)state;
+TEST(null_is_refused) {
   assert_status(HG_ERR_NULL, hg_grid_def_init(NULL, sizeof(hg_grid_def)));
   assert_true(strlen(hg_last_error()) > 0);
 }
 
 /* A caller with a newer header than the library, and one older than version 0.1, get an error and an untouched def. */
-static void other_sizes_are_refused(void **state) {
+TEST(other_sizes_are_refused) {
   const size_t sizes[] = {0, 4, 128, sizeof(hg_grid_def) + 8, SIZE_MAX};
   size_t k, byte;
-  (void)state;
   for (k = 0; k < sizeof sizes / sizeof *sizes; ++k) {
     hg_grid_def def;
     memset(&def, 0x5a, sizeof def);
@@ -65,13 +61,12 @@ static void other_sizes_are_refused(void **state) {
   }
 }
 
-static void nothing_is_written_past_the_end(void **state) {
+TEST(nothing_is_written_past_the_end) {
   struct {
     hg_grid_def def;
     unsigned char guard[64];
   } guarded;
   size_t byte;
-  (void)state;
   memset(&guarded, 0x5a, sizeof guarded);
   assert_ok(hg_grid_def_init(&guarded.def, sizeof guarded.def));
   for (byte = 0; byte < sizeof guarded.guard; ++byte) assert_int_equal(0x5a, guarded.guard[byte]);

@@ -7,10 +7,9 @@
 #include <string.h>
 
 /* Item k holds the bytes 16 k + 1, 16 k + 2 ...; the bytes behind the last item must stay as they are. */
-static void items_of_any_size(void **state) {
+TEST(items_of_any_size) {
   hg_history *history = make_history();
   size_t size;
-  (void)state;
   for (size = 1; size <= 40; ++size) {
     const int from[AFTER_COUNT] = {2, -1, 0, -1, -1};
     unsigned char before[BEFORE_COUNT * 40], after[AFTER_COUNT * 40 + 1];
@@ -31,12 +30,11 @@ static void items_of_any_size(void **state) {
   hg_history_destroy(history);
 }
 
-static void empty_lists_need_no_arrays(void **state) {
+TEST(empty_lists_need_no_arrays) {
   hg_history *history = make_empty_history();
   const int64_t none[BEFORE_COUNT] = {-1, -1, -1, -1};
   double items[BEFORE_COUNT] = {5, 5, 5, 5};
   const double zeros[BEFORE_COUNT] = {0, 0, 0, 0};
-  (void)state;
   assert_update(history, kBefore, BEFORE_COUNT, none);
   assert_ok(hg_history_carry(history, sizeof items[0], NULL, items));
   assert_memory_equal(zeros, items, sizeof items);
@@ -45,10 +43,9 @@ static void empty_lists_need_no_arrays(void **state) {
   hg_history_destroy(history);
 }
 
-static void wrong_arguments(void **state) {
+TEST(wrong_arguments) {
   hg_history *history = make_history();
   double items[BEFORE_COUNT + AFTER_COUNT] = {0};
-  (void)state;
   assert_status(HG_ERR_NULL, hg_history_carry(NULL, 8, items, items + BEFORE_COUNT));
   assert_status(HG_ERR_NULL, hg_history_carry(history, 8, NULL, items));
   assert_error_names("old_items");
@@ -65,10 +62,9 @@ static void wrong_arguments(void **state) {
 }
 
 /* What a failed update leaves is checked in test_history_update.c. */
-static void nothing_to_carry(void **state) {
+TEST(nothing_to_carry) {
   hg_history *history = make_history();
   double before[AFTER_COUNT] = {0}, after[BEFORE_COUNT] = {7, 7, 7, 7};
-  (void)state;
   assert_ok(hg_history_restore(history, BEFORE_COUNT, kBefore));
   assert_status(HG_ERR_STATE, hg_history_carry(history, 8, before, after));
   assert_int_equal(7, (int)after[0]);

@@ -4,11 +4,10 @@
 /* hg_history_clear: all pairs count as new afterwards. */
 #include "tests/support/history_fixture.h"
 
-static void forgets(void **state) {
+TEST(forgets) {
   const int64_t none[BEFORE_COUNT] = {-1, -1, -1, -1};
   hg_history *history = make_history();
   double item = 1;
-  (void)state;
   assert_ok(hg_history_clear(history));
   assert_remembers(history, NULL, 0);
   assert_status(HG_ERR_STATE, hg_history_carry(history, sizeof item, &item, NULL));
@@ -16,10 +15,7 @@ static void forgets(void **state) {
   hg_history_destroy(history);
 }
 
-static void null_is_refused(void **state) {
-  (void)state;
-  assert_status(HG_ERR_NULL, hg_history_clear(NULL));
-}
+TEST(null_is_refused) { assert_status(HG_ERR_NULL, hg_history_clear(NULL)); }
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(forgets), cmocka_unit_test(null_is_refused)};

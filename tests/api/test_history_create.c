@@ -5,23 +5,18 @@
 #include "tests/support/failing_alloc.h"
 #include "tests/support/history_fixture.h"
 
-static void starts_empty(void **state) {
+TEST(starts_empty) {
   hg_history *history = make_empty_history();
   double one = 1;
-  (void)state;
   assert_remembers(history, NULL, 0);
   assert_status(HG_ERR_STATE, hg_history_carry(history, sizeof one, NULL, &one));
   hg_history_destroy(history);
 }
 
-static void null_is_refused(void **state) {
-  (void)state;
-  assert_status(HG_ERR_NULL, hg_history_create(NULL));
-}
+TEST(null_is_refused) { assert_status(HG_ERR_NULL, hg_history_create(NULL)); }
 
-static void no_memory(void **state) {
+TEST(no_memory) {
   hg_history *history = (hg_history *)(uintptr_t)0x10;
-  (void)state;
   failing_alloc_install();
   failing_alloc_arm(0);
   assert_status(HG_ERR_MEMORY, hg_history_create(&history));

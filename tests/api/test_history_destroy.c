@@ -5,14 +5,10 @@
 #include "tests/support/failing_alloc.h"
 #include "tests/support/history_fixture.h"
 
-static void null_is_fine(void **state) {
-  (void)state;
-  hg_history_destroy(NULL);
-}
+TEST(null_is_fine) { hg_history_destroy(NULL); }
 
-static void frees_everything(void **state) {
+TEST(frees_everything) {
   hg_history *empty, *full;
-  (void)state;
   failing_alloc_install();
   empty = make_empty_history();
   full = make_history();

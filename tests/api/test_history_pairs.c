@@ -4,10 +4,9 @@
 /* hg_history_pairs: the list that is remembered. */
 #include "tests/support/history_fixture.h"
 
-static void gives_the_last_list(void **state) {
+TEST(gives_the_last_list) {
   hg_history *history = make_empty_history();
   const int64_t none[BEFORE_COUNT] = {-1, -1, -1, -1};
-  (void)state;
   assert_remembers(history, NULL, 0);
   assert_update(history, kBefore, BEFORE_COUNT, none);
   assert_remembers(history, kBefore, BEFORE_COUNT);
@@ -16,11 +15,10 @@ static void gives_the_last_list(void **state) {
   hg_history_destroy(history);
 }
 
-static void null_is_refused(void **state) {
+TEST(null_is_refused) {
   hg_history *history = make_history();
   const hg_pair *pairs;
   size_t count;
-  (void)state;
   assert_status(HG_ERR_NULL, hg_history_pairs(NULL, &pairs, &count));
   assert_status(HG_ERR_NULL, hg_history_pairs(history, NULL, &count));
   assert_status(HG_ERR_NULL, hg_history_pairs(history, &pairs, NULL));

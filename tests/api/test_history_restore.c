@@ -4,10 +4,9 @@
 /* hg_history_restore: a run that goes on from a checkpoint matches as one that never stopped. */
 #include "tests/support/history_fixture.h"
 
-static void goes_on_from_a_checkpoint(void **state) {
+TEST(goes_on_from_a_checkpoint) {
   const int64_t places[AFTER_COUNT] = {2, -1, 0, -1, -1};
   hg_history *history = make_empty_history();
-  (void)state;
   assert_ok(hg_history_restore(history, BEFORE_COUNT, kBefore));
   assert_remembers(history, kBefore, BEFORE_COUNT);
   assert_update(history, kAfter, AFTER_COUNT, places);
@@ -15,10 +14,9 @@ static void goes_on_from_a_checkpoint(void **state) {
   hg_history_destroy(history);
 }
 
-static void replaces_what_was_there(void **state) {
+TEST(replaces_what_was_there) {
   const int64_t none[AFTER_COUNT] = {-1, -1, -1, -1, -1};
   hg_history *history = make_history();
-  (void)state;
   assert_ok(hg_history_restore(history, 1, kBefore + 1));
   assert_remembers(history, kBefore + 1, 1);
   assert_update(history, kAfter, AFTER_COUNT, none);
@@ -27,10 +25,9 @@ static void replaces_what_was_there(void **state) {
   hg_history_destroy(history);
 }
 
-static void wrong_arguments(void **state) {
+TEST(wrong_arguments) {
   const hg_pair twice[3] = {{1, 2}, {2, 3}, {1, 2}};
   hg_history *history = make_history();
-  (void)state;
   assert_status(HG_ERR_NULL, hg_history_restore(NULL, 0, NULL));
   assert_status(HG_ERR_NULL, hg_history_restore(history, 1, NULL));
   assert_status(HG_ERR_ARGUMENT, hg_history_restore(history, 3, twice));
@@ -39,10 +36,7 @@ static void wrong_arguments(void **state) {
   hg_history_destroy(history);
 }
 
-static void no_memory(void **state) {
-  (void)state;
-  assert_true(refuse_each_allocation_for_many(hg_history_restore) > 0);
-}
+TEST(no_memory) { assert_true(refuse_each_allocation_for_many(hg_history_restore) > 0); }
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(goes_on_from_a_checkpoint),

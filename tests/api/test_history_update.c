@@ -7,20 +7,18 @@
 
 #include <stdlib.h>
 
-static void finds_places(void **state) {
+TEST(finds_places) {
   const hg_pair last[2] = {{0, 0}, {1, 2}};
   const int64_t places[2] = {3, 2};
   hg_history *history = make_history();
-  (void)state;
   assert_history(history);
   assert_update(history, last, 2, places);
   hg_history_destroy(history);
 }
 
-static void empty_lists(void **state) {
+TEST(empty_lists) {
   const int64_t none[BEFORE_COUNT] = {-1, -1, -1, -1};
   hg_history *history = make_empty_history();
-  (void)state;
   assert_update(history, NULL, 0, NULL);
   assert_update(history, kBefore, BEFORE_COUNT, none);
   assert_update(history, NULL, 0, NULL);
@@ -30,22 +28,20 @@ static void empty_lists(void **state) {
 }
 
 /* The list of a checkpoint may come from the history itself. */
-static void its_own_list(void **state) {
+TEST(its_own_list) {
   const int64_t same[AFTER_COUNT] = {0, 1, 2, 3, 4};
   hg_history *history = make_history();
   const hg_pair *pairs;
   size_t count;
-  (void)state;
   assert_ok(hg_history_pairs(history, &pairs, &count));
   assert_update(history, pairs, count, same);
   assert_remembers(history, kAfter, AFTER_COUNT);
   hg_history_destroy(history);
 }
 
-static void null_is_refused(void **state) {
+TEST(null_is_refused) {
   const int64_t *previous;
   hg_history *history = make_history();
-  (void)state;
   assert_status(HG_ERR_NULL, hg_history_update(NULL, 1, kBefore, &previous));
   assert_status(HG_ERR_NULL, hg_history_update(history, 1, NULL, &previous));
   assert_status(HG_ERR_NULL, hg_history_update(history, 1, kBefore, NULL));
@@ -54,7 +50,7 @@ static void null_is_refused(void **state) {
 }
 
 /* A pair that comes twice is found whether it was in the list before or not, whatever stands between. */
-static void a_pair_twice_is_refused(void **state) {
+TEST(a_pair_twice_is_refused) {
   const hg_pair lists[4][4] = {{{5, 6}, {3, 4}, {5, 6}, {0, 0}}, /* new, new */
                                {{3, 4}, {3, 4}, {1, 2}, {0, 0}}, /* old, side by side */
                                {{3, 4}, {9, 7}, {1, 2}, {9, 7}}, /* old, in order the first time */
@@ -64,7 +60,6 @@ static void a_pair_twice_is_refused(void **state) {
       "pairs[3] = (9, 7) is already listed as pairs[1]", "pairs[3] = (1, 2) is already listed as pairs[1]"};
   hg_history *history = make_history();
   int k;
-  (void)state;
   for (k = 0; k < 4; ++k) {
     const int64_t *previous;
     assert_status(HG_ERR_ARGUMENT, hg_history_update(history, 4, lists[k], &previous));
@@ -75,7 +70,7 @@ static void a_pair_twice_is_refused(void **state) {
 }
 
 /* Particles leave a grid and others come, with gaps in the ids and the order turned: forces follow their contacts. */
-static void follows_a_grid(void **state) {
+TEST(follows_a_grid) {
   const double centers[6] = {20, 0, 0, 21, 0, 0}, radii[2] = {0.6, 0.6};
   const int64_t none[CHAIN_COUNT - 1] = {-1, -1, -1, -1, -1, -1, -1, -1};
   const int32_t gone = 4;
@@ -86,7 +81,6 @@ static void follows_a_grid(void **state) {
   hg_pair before[CHAIN_COUNT - 1];
   size_t count, k;
   int fresh = 0;
-  (void)state;
   assert_ok(hg_query_pairs(grid, &pairs, &count));
   assert_int_equal(CHAIN_COUNT - 1, count);
   for (k = 0; k < count; ++k) before[k] = pairs[k];
@@ -115,10 +109,7 @@ static hg_status update(hg_history *history, size_t count, const hg_pair *pairs)
   return hg_history_update(history, count, pairs, &previous);
 }
 
-static void no_memory(void **state) {
-  (void)state;
-  assert_true(refuse_each_allocation_for_many(update) > 3);
-}
+TEST(no_memory) { assert_true(refuse_each_allocation_for_many(update) > 3); }
 
 /* Long and short lists by turns. */
 static void six_steps(hg_history *history) {
@@ -130,10 +121,9 @@ static void six_steps(hg_history *history) {
 }
 
 /* After the longest lists have been seen, matching asks for no more memory. */
-static void keeps_its_memory(void **state) {
+TEST(keeps_its_memory) {
   hg_history *history;
   long long calls;
-  (void)state;
   failing_alloc_install();
   history = make_history();
   six_steps(history);

@@ -5,11 +5,10 @@
 #include "tests/support/failing_alloc.h"
 #include "tests/support/fixture.h"
 
-static void ids_go_on_counting(void **state) {
+TEST(ids_go_on_counting) {
   const double near_ends[6] = {-1, 0, 0, CHAIN_COUNT, 0, 0};
   const double radii[2] = {0.6, 0.6};
   int32_t base;
-  (void)state;
   for (base = 0; base <= 1; ++base) {
     hg_grid_def def = hg_default_grid_def();
     hg_pair expected[CHAIN_COUNT + 1];
@@ -33,12 +32,11 @@ static void ids_go_on_counting(void **state) {
   }
 }
 
-static void small_counts(void **state) {
+TEST(small_counts) {
   const double centers[6] = {0, 0, 0, 1.5, 0, 0};
   const double radii[2] = {1, 1};
   const hg_pair only = {0, 1};
   hg_grid *grid = make_empty(NULL);
-  (void)state;
   assert_ok(hg_insert(grid, 0, NULL, NULL));
   assert_ok(hg_insert(grid, 0, centers, radii));
   assert_pairs(grid, NULL, 0);
@@ -49,22 +47,20 @@ static void small_counts(void **state) {
   hg_destroy(grid);
 }
 
-static void the_input_is_copied(void **state) {
+TEST(the_input_is_copied) {
   double centers[6] = {0, 0, 0, 1.5, 0, 0};
   double radii[2] = {1, 1};
   const hg_pair only = {0, 1};
   hg_grid *grid = make_grid(NULL, 2, centers, radii);
-  (void)state;
   centers[3] = 99;
   radii[0] = 0;
   assert_pairs(grid, &only, 1);
   hg_destroy(grid);
 }
 
-static void null_is_refused(void **state) {
+TEST(null_is_refused) {
   const double center[3] = {0, 0, 0}, radius = 1;
   hg_grid *grid = make_chain(NULL);
-  (void)state;
   assert_status(HG_ERR_NULL, hg_insert(NULL, 1, center, &radius));
   assert_status(HG_ERR_NULL, hg_insert(NULL, 0, NULL, NULL));
   assert_status(HG_ERR_NULL, hg_insert(grid, 1, NULL, &radius));
@@ -108,9 +104,8 @@ static void refuse_row(int32_t dimension, int axis, double value, const char *te
   hg_destroy(grid);
 }
 
-static void bad_values_are_named(void **state) {
+TEST(bad_values_are_named) {
   int axis;
-  (void)state;
   for (axis = 0; axis < 3; ++axis) {
     refuse_row(3, axis, not_a_number(), "nan");
     refuse_row(3, axis, infinity(), "inf");
@@ -123,32 +118,29 @@ static void bad_values_are_named(void **state) {
   refuse_row(2, 3, -0.375, "-0.375");
 }
 
-static void radius_zero_is_a_point(void **state) {
+TEST(radius_zero_is_a_point) {
   const double centers[9] = {0, 0, 0, 0.5, 0, 0, 0.5, 0, 0};
   const double radii[3] = {1, 0, 0};
   const hg_pair expected[2] = {{0, 1}, {0, 2}};
   hg_grid *grid = make_grid(NULL, 3, centers, radii);
-  (void)state;
   assert_pairs(grid, expected, 2);
   hg_destroy(grid);
 }
 
-static void touching_is_no_pair(void **state) {
+TEST(touching_is_no_pair) {
   const double centers[9] = {0, 0, 0, 2, 0, 0, 0, -0.0, 1.9999999999999998};
   const double radii[3] = {1, 1, 1};
   const hg_pair expected[1] = {{0, 2}};
   hg_grid *grid = make_grid(NULL, 3, centers, radii);
-  (void)state;
   assert_pairs(grid, expected, 1);
   hg_destroy(grid);
 }
 
-static void box_shorter_than_two_reaches(void **state) {
+TEST(box_shorter_than_two_reaches) {
   const double centers[6] = {0.1, 0, 0, 0.2, 0, 0};
   const double radii[2] = {0.25, 0.26};
   const hg_pair expected[1] = {{0, 1}};
   int32_t interaction;
-  (void)state;
   for (interaction = HG_CONTACT; interaction <= HG_MAX_RANGE; ++interaction) {
     hg_grid_def def = periodic_axis(1, interaction == HG_CONTACT ? 1.0 : 0.5);
     hg_grid *grid;
@@ -163,23 +155,21 @@ static void box_shorter_than_two_reaches(void **state) {
 }
 
 /* The margin belongs to the reach. */
-static void margin_makes_the_box_too_short(void **state) {
+TEST(margin_makes_the_box_too_short) {
   const double center[3] = {0, 0, 0}, radius = 0.25;
   hg_grid_def def = periodic_axis(2, 1);
   hg_grid *grid;
-  (void)state;
   def.margin = 0.01;
   grid = make_empty(&def);
   assert_status(HG_ERR_ARGUMENT, hg_insert(grid, 1, center, &radius));
   hg_destroy(grid);
 }
 
-static void beyond_the_last_user_cell(void **state) {
+TEST(beyond_the_last_user_cell) {
   const double sizes[2] = {0.5, 2};
   const double center[3] = {0, 0, 0}, good = 1, bad = 1.0000001;
   hg_grid_def def = user_levels(sizes, 2);
   hg_grid *grid = make_empty(&def);
-  (void)state;
   assert_status(HG_ERR_ARGUMENT, hg_insert(grid, 1, center, &bad));
   assert_ok(hg_insert(grid, 1, center, &good));
   hg_destroy(grid);
@@ -189,21 +179,19 @@ static void beyond_the_last_user_cell(void **state) {
   hg_destroy(grid);
 }
 
-static void too_far_outside_a_periodic_box(void **state) {
+TEST(too_far_outside_a_periodic_box) {
   const double far[3] = {0, 4294967296.0, 0}, inside[3] = {0, 0.5, 0}, radius = 0.1;
   const hg_grid_def def = periodic_axis(1, 1);
   hg_grid *grid = make_empty(&def);
-  (void)state;
   assert_status(HG_ERR_LIMIT, hg_insert(grid, 1, far, &radius));
   assert_ok(hg_insert(grid, 1, inside, &radius));
   hg_destroy(grid);
 }
 
 /* The arrays are never read: the count alone is too large for the ids. */
-static void more_than_the_ids_can_count(void **state) {
+TEST(more_than_the_ids_can_count) {
   const double center[3] = {0, 0, 0}, radius = 0.1;
   hg_grid *grid = make_chain(NULL);
-  (void)state;
   assert_status(HG_ERR_LIMIT, hg_insert(grid, (size_t)INT32_MAX + 1, center, &radius));
   assert_chain(grid, 0);
   hg_destroy(grid);
@@ -214,10 +202,7 @@ static hg_status insert_again(hg_grid *grid) {
   return hg_insert(grid, 1, center, &radius);
 }
 
-static void refused_inside_a_visitor(void **state) {
-  (void)state;
-  assert_refused_in_visitor(insert_again);
-}
+TEST(refused_inside_a_visitor) { assert_refused_in_visitor(insert_again); }
 
 static void prepare(hg_grid **grid) {
   *grid = make_chain(NULL);
@@ -241,9 +226,8 @@ static void still_a_chain(hg_grid *grid) { assert_chain(grid, 0); }
 
 static void chain_and_row(hg_grid *grid) { assert_int_equal(CHAIN_COUNT - 1 + MANY - 1, pairs_in(grid)); }
 
-static void no_memory(void **state) {
+TEST(no_memory) {
   const alloc_scenario scenario = {prepare, insert_many, still_a_chain, chain_and_row};
-  (void)state;
   assert_true(refuse_each_allocation(&scenario) > 0);
 }
 

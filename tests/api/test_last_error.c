@@ -8,18 +8,16 @@
 #include <string.h>
 
 /* Must run first: nothing has failed yet. */
-static void empty_before_the_first_failure(void **state) {
-  (void)state;
+TEST(empty_before_the_first_failure) {
   assert_non_null(hg_last_error());
   assert_string_equal("", hg_last_error());
 }
 
-static void kept_by_success_and_replaced_by_failure(void **state) {
+TEST(kept_by_success_and_replaced_by_failure) {
   hg_grid *grid = make_empty(NULL);
   const double center[3] = {0, 0, 0};
   const double negative = -0.25, one = 1;
   char first[512];
-  (void)state;
   assert_status(HG_ERR_ARGUMENT, hg_insert(grid, 1, center, &negative));
   assert_error_names("-0.25");
   strncpy(first, hg_last_error(), sizeof first - 1);
@@ -38,12 +36,11 @@ static void *fail_in_thread(void *argument) {
   return NULL;
 }
 
-static void each_thread_has_its_own(void **state) {
+TEST(each_thread_has_its_own) {
   hg_grid_def def = hg_default_grid_def();
   hg_grid *grid = NULL;
   pthread_t thread;
   int good = 0;
-  (void)state;
   def.dimension = 7;
   assert_status(HG_ERR_ARGUMENT, hg_create(&def, &grid));
   assert_error_names("7");

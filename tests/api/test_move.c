@@ -19,9 +19,8 @@ static const hg_pair kMovedPairs[2] = {{0, 2}, {1, 3}};
 
 static hg_grid *make_start(const hg_grid_def *def) { return make_grid(def, 4, kStart, kRadii); }
 
-static void pairs_follow_the_particles(void **state) {
+TEST(pairs_follow_the_particles) {
   hg_grid *grid = make_start(NULL);
-  (void)state;
   assert_pairs(grid, kStartPairs, 2);
   assert_ok(hg_move(grid, 4, kMoved, NULL));
   assert_pairs(grid, kMovedPairs, 2);
@@ -30,11 +29,10 @@ static void pairs_follow_the_particles(void **state) {
   hg_destroy(grid);
 }
 
-static void radii_change_when_given(void **state) {
+TEST(radii_change_when_given) {
   const double small[4] = {0.6, 0.6, 0.1, 0.1}, large[4] = {0.6, 0.6, 0.6, 100};
   const hg_pair all_with_3[4] = {{0, 1}, {0, 3}, {1, 3}, {2, 3}};
   hg_grid *grid = make_start(NULL);
-  (void)state;
   assert_ok(hg_move(grid, 4, kStart, small));
   assert_pairs(grid, kStartPairs, 1);
   assert_ok(hg_move(grid, 4, kStart, NULL));
@@ -45,12 +43,11 @@ static void radii_change_when_given(void **state) {
 }
 
 /* Rows follow the live particles in ascending id. */
-static void rows_skip_removed_particles(void **state) {
+TEST(rows_skip_removed_particles) {
   const int32_t gone = 1;
   const double centers[9] = {0, 0, 0, 5, 0, 0, 1, 0, 0};
   const hg_pair expected[1] = {{0, 3}};
   hg_grid *grid = make_start(NULL);
-  (void)state;
   assert_ok(hg_remove(grid, 1, &gone));
   assert_status(HG_ERR_ARGUMENT, hg_move(grid, 4, kMoved, NULL));
   assert_ok(hg_move(grid, 3, centers, NULL));
@@ -58,9 +55,8 @@ static void rows_skip_removed_particles(void **state) {
   hg_destroy(grid);
 }
 
-static void empty_grid(void **state) {
+TEST(empty_grid) {
   hg_grid *grid = make_empty(NULL);
-  (void)state;
   assert_ok(hg_move(grid, 0, NULL, NULL));
   assert_ok(hg_move(grid, 0, kStart, kRadii));
   assert_status(HG_ERR_ARGUMENT, hg_move(grid, 1, kStart, NULL));
@@ -68,9 +64,8 @@ static void empty_grid(void **state) {
   hg_destroy(grid);
 }
 
-static void wrong_count_is_refused(void **state) {
+TEST(wrong_count_is_refused) {
   hg_grid *grid = make_start(NULL);
-  (void)state;
   assert_status(HG_ERR_ARGUMENT, hg_move(grid, 3, kMoved, NULL));
   assert_error_names("3");
   assert_error_names("4");
@@ -79,9 +74,8 @@ static void wrong_count_is_refused(void **state) {
   hg_destroy(grid);
 }
 
-static void null_is_refused(void **state) {
+TEST(null_is_refused) {
   hg_grid *grid = make_start(NULL);
-  (void)state;
   assert_status(HG_ERR_NULL, hg_move(NULL, 4, kMoved, NULL));
   assert_status(HG_ERR_NULL, hg_move(grid, 4, NULL, kRadii));
   assert_pairs(grid, kStartPairs, 2);
@@ -105,10 +99,9 @@ static void refuse(hg_grid *grid, int row, int axis, double value, const char *t
   assert_pairs(grid, kStartPairs, 2);
 }
 
-static void bad_values_change_nothing(void **state) {
+TEST(bad_values_change_nothing) {
   hg_grid *grid = make_start(NULL);
   int row;
-  (void)state;
   for (row = 0; row < 4; ++row) {
     refuse(grid, row, 0, not_a_number(), "nan");
     refuse(grid, row, 2, -infinity(), "-inf");
@@ -119,31 +112,28 @@ static void bad_values_change_nothing(void **state) {
   hg_destroy(grid);
 }
 
-static void growth_beyond_the_box_is_refused(void **state) {
+TEST(growth_beyond_the_box_is_refused) {
   const double grown[4] = {0.6, 0.6, 0.6, 8};
   const hg_grid_def def = periodic_axis(0, 20);
   hg_grid *grid = make_start(&def);
-  (void)state;
   assert_status(HG_ERR_ARGUMENT, hg_move(grid, 4, kMoved, grown));
   assert_pairs(grid, kStartPairs, 2);
   hg_destroy(grid);
 }
 
-static void growth_beyond_the_user_cells_is_refused(void **state) {
+TEST(growth_beyond_the_user_cells_is_refused) {
   const double cell = 1.5, grown[4] = {0.6, 0.6, 0.6, 0.8};
   const hg_grid_def def = user_levels(&cell, 1);
   hg_grid *grid = make_start(&def);
-  (void)state;
   assert_status(HG_ERR_ARGUMENT, hg_move(grid, 4, kMoved, grown));
   assert_pairs(grid, kStartPairs, 2);
   hg_destroy(grid);
 }
 
-static void too_far_outside_a_periodic_box(void **state) {
+TEST(too_far_outside_a_periodic_box) {
   double centers[12];
   const hg_grid_def def = periodic_axis(0, 20);
   hg_grid *grid = make_start(&def);
-  (void)state;
   memcpy(centers, kMoved, sizeof centers);
   centers[6] = 1e13;
   assert_status(HG_ERR_LIMIT, hg_move(grid, 4, centers, NULL));
@@ -151,10 +141,9 @@ static void too_far_outside_a_periodic_box(void **state) {
   hg_destroy(grid);
 }
 
-static void needs_no_memory(void **state) {
+TEST(needs_no_memory) {
   hg_grid *grid;
   long long calls;
-  (void)state;
   failing_alloc_install();
   grid = make_start(NULL);
   assert_pairs(grid, kStartPairs, 2);
@@ -208,9 +197,8 @@ static void steady(double skin, int threads, int32_t order) {
   free(radii);
 }
 
-static void steps_need_no_memory_once_under_way(void **state) {
+TEST(steps_need_no_memory_once_under_way) {
   int threads;
-  (void)state;
   for (threads = 1; threads <= 2; ++threads) {
     steady(0, threads, HG_ORDER_GRID);
     steady(0.3, threads, HG_ORDER_GRID);  /* always filtered */
@@ -228,12 +216,11 @@ static void assert_step(hg_grid *grid, const double *centers, const double *radi
   assert_true(stats_of(grid).stored_count > 0);
 }
 
-static void statistics_tell_searches_from_filters(void **state) {
+TEST(statistics_tell_searches_from_filters) {
   const double grown[4] = {0.6, 0.65, 0.6, 0.6}, more[4] = {0.6, 0.6, 0.6, 0.72};
   double centers[12];
   hg_grid_def def = hg_default_grid_def();
   hg_grid *grid;
-  (void)state;
   def.skin = 0.2;
   grid = make_start(&def);
   assert_int_equal(0, stats_of(grid).stored_count);
@@ -257,9 +244,8 @@ static void statistics_tell_searches_from_filters(void **state) {
   hg_destroy(grid);
 }
 
-static void no_skin_stores_nothing(void **state) {
+TEST(no_skin_stores_nothing) {
   hg_grid *grid = make_start(NULL);
-  (void)state;
   assert_pairs(grid, kStartPairs, 2);
   assert_ok(hg_move(grid, 4, kStart, NULL));
   assert_pairs(grid, kStartPairs, 2);
@@ -270,11 +256,10 @@ static void no_skin_stores_nothing(void **state) {
 }
 
 /* Periodic boxes and user cells leave no room for the wider reach: the skin shrinks, or the cells widen. */
-static void a_skin_is_never_an_error(void **state) {
+TEST(a_skin_is_never_an_error) {
   const double skins[] = {1e-300, 0.3, 3, 1e3, 1e308}, cell = 1.2;
   double centers[12];
   size_t k;
-  (void)state;
   for (k = 0; k < sizeof skins / sizeof skins[0]; ++k) {
     hg_grid_def def = user_levels(&cell, 1);
     hg_grid *grid;
@@ -294,13 +279,12 @@ static void a_skin_is_never_an_error(void **state) {
   }
 }
 
-static void insert_remove_and_clear_make_candidates_stale(void **state) {
+TEST(insert_remove_and_clear_make_candidates_stale) {
   const double near_0[3] = {0.5, 0, 0}, radius = 0.6;
   const hg_pair with_new[4] = {{0, 1}, {0, 4}, {1, 4}, {2, 3}}, without_1[2] = {{0, 4}, {2, 3}};
   const int32_t gone = 1;
   hg_grid_def def = hg_default_grid_def();
   hg_grid *grid;
-  (void)state;
   def.skin = 0.5;
   grid = make_start(&def);
   assert_pairs(grid, kStartPairs, 2);
@@ -333,9 +317,8 @@ static void has_start_pairs(hg_grid *grid) {
   assert_pairs(grid, kMovedPairs, 2);
 }
 
-static void every_allocation_with_skin_fails_once(void **state) {
+TEST(every_allocation_with_skin_fails_once) {
   const alloc_scenario scenario = {start_with_skin, query, NULL, has_start_pairs};
-  (void)state;
   assert_true(refuse_each_allocation(&scenario) > 10);
 }
 
@@ -344,10 +327,7 @@ static hg_status move_again(hg_grid *grid) {
   return hg_move(grid, CHAIN_COUNT, centers, NULL);
 }
 
-static void refused_inside_a_visitor(void **state) {
-  (void)state;
-  assert_refused_in_visitor(move_again);
-}
+TEST(refused_inside_a_visitor) { assert_refused_in_visitor(move_again); }
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(pairs_follow_the_particles),

@@ -15,10 +15,9 @@ static hg_grid *make_four_sizes(hg_grid_def *def) {
   return make_grid(def, 4, centers, radii);
 }
 
-static void costs_follow_eq_7(void **state) {
+TEST(costs_follow_eq_7) {
   const double overheads[3] = {-1, 0, 2.5};
   int k;
-  (void)state;
   for (k = 0; k < 3; ++k) {
     hg_grid_def def = hg_default_grid_def();
     const double overhead = overheads[k] < 0 ? 0.3 : overheads[k];
@@ -49,9 +48,8 @@ static void costs_follow_eq_7(void **state) {
 }
 
 /* The grid is built with the cheapest reachable number of levels. */
-static void the_cheapest_is_chosen(void **state) {
+TEST(the_cheapest_is_chosen) {
   int32_t rule;
-  (void)state;
   for (rule = HG_LEVELS_AUTO; rule <= HG_LEVELS_PAPER; ++rule) {
     hg_grid_def def = hg_default_grid_def();
     const hg_level_cost *costs;
@@ -70,23 +68,21 @@ static void the_cheapest_is_chosen(void **state) {
   }
 }
 
-static void user_levels_have_no_costs(void **state) {
+TEST(user_levels_have_no_costs) {
   const double size = 16;
   hg_grid_def def = user_levels(&size, 1);
   hg_grid *grid = make_four_sizes(&def);
   const hg_level_cost *costs;
   size_t count = 77;
-  (void)state;
   assert_ok(hg_query_level_costs(grid, &costs, &count));
   assert_int_equal(0, count);
   hg_destroy(grid);
 }
 
-static void null_is_refused(void **state) {
+TEST(null_is_refused) {
   hg_grid *grid = make_chain(NULL);
   const hg_level_cost *costs;
   size_t count;
-  (void)state;
   assert_status(HG_ERR_NULL, hg_query_level_costs(NULL, &costs, &count));
   assert_status(HG_ERR_NULL, hg_query_level_costs(grid, NULL, &count));
   assert_status(HG_ERR_NULL, hg_query_level_costs(grid, &costs, NULL));
@@ -99,15 +95,9 @@ static hg_status query_again(hg_grid *grid) {
   return hg_query_level_costs(grid, &costs, &count);
 }
 
-static void refused_inside_a_visitor(void **state) {
-  (void)state;
-  assert_refused_in_visitor(query_again);
-}
+TEST(refused_inside_a_visitor) { assert_refused_in_visitor(query_again); }
 
-static void no_memory(void **state) {
-  (void)state;
-  assert_true(refuse_each_allocation_on_chain(query_again) > 0);
-}
+TEST(no_memory) { assert_true(refuse_each_allocation_on_chain(query_again) > 0); }
 
 int main(void) {
   const struct CMUnitTest tests[] = {

@@ -19,12 +19,11 @@ static hg_grid *make_two_sizes(const hg_grid_def *def) {
   return make_grid(def, COUNT, centers, radii);
 }
 
-static void two_sizes_make_two_levels(void **state) {
+TEST(two_sizes_make_two_levels) {
   hg_grid_def def = hg_default_grid_def();
   const hg_level *levels;
   hg_grid *grid;
   size_t count;
-  (void)state;
   def.level_rule = HG_LEVELS_PAPER;
   def.level_count = 2;
   def.cell_overhead = 0;
@@ -44,13 +43,12 @@ static void two_sizes_make_two_levels(void **state) {
   hg_destroy(grid);
 }
 
-static void every_particle_is_on_its_level(void **state) {
+TEST(every_particle_is_on_its_level) {
   const double sizes[4] = {0.5, 2, 4, 32};
   const hg_grid_def def = user_levels(sizes, 4);
   hg_grid *grid = make_two_sizes(&def);
   const hg_level *levels;
   size_t count;
-  (void)state;
   assert_ok(hg_query_levels(grid, &levels, &count));
   assert_int_equal(4, count);
   assert_int_equal(0, levels[0].particle_count);
@@ -64,9 +62,8 @@ static void every_particle_is_on_its_level(void **state) {
 }
 
 /* Cells hold the diameters, and the margin with them. */
-static void cells_hold_the_reach(void **state) {
+TEST(cells_hold_the_reach) {
   int32_t rule, interaction;
-  (void)state;
   for (rule = HG_LEVELS_AUTO; rule <= HG_LEVELS_PAPER; ++rule) {
     for (interaction = HG_CONTACT; interaction <= HG_MAX_RANGE; ++interaction) {
       hg_grid_def def = hg_default_grid_def();
@@ -92,21 +89,19 @@ static void cells_hold_the_reach(void **state) {
   }
 }
 
-static void empty_grid(void **state) {
+TEST(empty_grid) {
   hg_grid *grid = make_empty(NULL);
   const hg_level *levels;
   size_t count = 77;
-  (void)state;
   assert_ok(hg_query_levels(grid, &levels, &count));
   assert_true(count <= 1);
   hg_destroy(grid);
 }
 
-static void null_is_refused(void **state) {
+TEST(null_is_refused) {
   hg_grid *grid = make_chain(NULL);
   const hg_level *levels;
   size_t count;
-  (void)state;
   assert_status(HG_ERR_NULL, hg_query_levels(NULL, &levels, &count));
   assert_status(HG_ERR_NULL, hg_query_levels(grid, NULL, &count));
   assert_status(HG_ERR_NULL, hg_query_levels(grid, &levels, NULL));
@@ -119,15 +114,9 @@ static hg_status query_again(hg_grid *grid) {
   return hg_query_levels(grid, &levels, &count);
 }
 
-static void refused_inside_a_visitor(void **state) {
-  (void)state;
-  assert_refused_in_visitor(query_again);
-}
+TEST(refused_inside_a_visitor) { assert_refused_in_visitor(query_again); }
 
-static void no_memory(void **state) {
-  (void)state;
-  assert_true(refuse_each_allocation_on_chain(query_again) > 0);
-}
+TEST(no_memory) { assert_true(refuse_each_allocation_on_chain(query_again) > 0); }
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(two_sizes_make_two_levels),

@@ -5,12 +5,11 @@
 #include "tests/support/failing_alloc.h"
 #include "tests/support/fixture.h"
 
-static void half_list_of_a_chain(void **state) {
+TEST(half_list_of_a_chain) {
   hg_grid *grid = make_chain(NULL);
   const int64_t *offsets;
   const int32_t *neighbors;
   int i;
-  (void)state;
   assert_ok(hg_query_neighbors(grid, HG_HALF, &offsets, &neighbors));
   for (i = 0; i < CHAIN_COUNT; ++i) assert_int_equal(i, offsets[i]);
   assert_int_equal(CHAIN_COUNT - 1, offsets[CHAIN_COUNT]);
@@ -18,9 +17,8 @@ static void half_list_of_a_chain(void **state) {
   hg_destroy(grid);
 }
 
-static void full_list_of_a_chain(void **state) {
+TEST(full_list_of_a_chain) {
   int32_t base;
-  (void)state;
   for (base = 0; base <= 1; ++base) {
     hg_grid_def def = hg_default_grid_def();
     const int64_t *offsets;
@@ -42,7 +40,7 @@ static void full_list_of_a_chain(void **state) {
 }
 
 /* Rows belong to the live particles in ascending id; entries are ids. */
-static void rows_skip_removed_particles(void **state) {
+TEST(rows_skip_removed_particles) {
   const int32_t gone[2] = {0, 4};
   const int64_t expected_offsets[8] = {0, 1, 3, 4, 5, 7, 9, 10};
   const int32_t expected[10] = {2, 1, 3, 2, 6, 5, 7, 6, 8, 7};
@@ -50,7 +48,6 @@ static void rows_skip_removed_particles(void **state) {
   const int64_t *offsets;
   const int32_t *neighbors;
   int k;
-  (void)state;
   assert_ok(hg_remove(grid, 2, gone));
   assert_ok(hg_query_neighbors(grid, HG_FULL, &offsets, &neighbors));
   for (k = 0; k < 8; ++k) assert_int_equal(expected_offsets[k], offsets[k]);
@@ -58,13 +55,12 @@ static void rows_skip_removed_particles(void **state) {
   hg_destroy(grid);
 }
 
-static void empty_and_lonely(void **state) {
+TEST(empty_and_lonely) {
   const double center[3] = {0, 0, 0}, radius = 1;
   hg_grid *grid = make_empty(NULL);
   const int64_t *offsets = NULL;
   const int32_t *neighbors;
   int32_t list;
-  (void)state;
   for (list = HG_HALF; list <= HG_FULL; ++list) {
     assert_ok(hg_query_neighbors(grid, list, &offsets, &neighbors));
     assert_non_null(offsets);
@@ -77,12 +73,11 @@ static void empty_and_lonely(void **state) {
   hg_destroy(grid);
 }
 
-static void lists_alternate(void **state) {
+TEST(lists_alternate) {
   hg_grid *grid = make_chain(NULL);
   const int64_t *offsets;
   const int32_t *neighbors;
   int round;
-  (void)state;
   for (round = 0; round < 4; ++round) {
     const int32_t list = round % 2 == 0 ? HG_FULL : HG_HALF;
     assert_ok(hg_query_neighbors(grid, list, &offsets, &neighbors));
@@ -92,11 +87,10 @@ static void lists_alternate(void **state) {
   hg_destroy(grid);
 }
 
-static void bad_arguments(void **state) {
+TEST(bad_arguments) {
   hg_grid *grid = make_chain(NULL);
   const int64_t *offsets;
   const int32_t *neighbors;
-  (void)state;
   assert_status(HG_ERR_NULL, hg_query_neighbors(NULL, HG_HALF, &offsets, &neighbors));
   assert_status(HG_ERR_NULL, hg_query_neighbors(grid, HG_HALF, NULL, &neighbors));
   assert_status(HG_ERR_NULL, hg_query_neighbors(grid, HG_HALF, &offsets, NULL));
@@ -113,15 +107,9 @@ static hg_status query_again(hg_grid *grid) {
   return hg_query_neighbors(grid, HG_FULL, &offsets, &neighbors);
 }
 
-static void refused_inside_a_visitor(void **state) {
-  (void)state;
-  assert_refused_in_visitor(query_again);
-}
+TEST(refused_inside_a_visitor) { assert_refused_in_visitor(query_again); }
 
-static void no_memory(void **state) {
-  (void)state;
-  assert_true(refuse_each_allocation_on_chain(query_again) > 0);
-}
+TEST(no_memory) { assert_true(refuse_each_allocation_on_chain(query_again) > 0); }
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(half_list_of_a_chain),

@@ -8,13 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void zero_one_two_particles(void **state) {
+TEST(zero_one_two_particles) {
   const double centers[6] = {0, 0, 0, 0, 0, 0}, radii[2] = {1, 1};
   const hg_pair coincident = {0, 1};
   const hg_pair *pairs = (const hg_pair *)(uintptr_t)0x10;
   hg_grid *grid = make_empty(NULL);
   size_t count = 77;
-  (void)state;
   assert_ok(hg_query_pairs(grid, &pairs, &count));
   assert_int_equal(0, count);
   assert_ok(hg_insert(grid, 1, centers, radii));
@@ -24,11 +23,10 @@ static void zero_one_two_particles(void **state) {
   hg_destroy(grid);
 }
 
-static void null_is_refused(void **state) {
+TEST(null_is_refused) {
   const hg_pair *pairs;
   hg_grid *grid = make_chain(NULL);
   size_t count;
-  (void)state;
   assert_status(HG_ERR_NULL, hg_query_pairs(NULL, &pairs, &count));
   assert_status(HG_ERR_NULL, hg_query_pairs(grid, NULL, &count));
   assert_status(HG_ERR_NULL, hg_query_pairs(grid, &pairs, NULL));
@@ -50,9 +48,8 @@ static hg_grid *make_cloud(const hg_grid_def *def) {
   return make_grid(def, CLOUD, centers, radii);
 }
 
-static void id_order_ascends(void **state) {
+TEST(id_order_ascends) {
   int32_t threads;
-  (void)state;
   for (threads = 1; threads <= 3; ++threads) {
     hg_grid_def def = hg_default_grid_def();
     const hg_pair *pairs;
@@ -71,9 +68,8 @@ static void id_order_ascends(void **state) {
   }
 }
 
-static void a_second_call_returns_the_same_list(void **state) {
+TEST(a_second_call_returns_the_same_list) {
   int32_t order;
-  (void)state;
   for (order = HG_ORDER_GRID; order <= HG_ORDER_ID; ++order) {
     hg_grid_def def = hg_default_grid_def();
     const hg_pair *first, *second;
@@ -96,11 +92,10 @@ static void a_second_call_returns_the_same_list(void **state) {
 }
 
 /* Twins: the same bytes from another grid with the same input, also in grid order. */
-static void equal_grids_give_equal_bytes(void **state) {
+TEST(equal_grids_give_equal_bytes) {
   hg_grid *one = make_cloud(NULL), *two = make_cloud(NULL);
   const hg_pair *p, *q;
   size_t p_count, q_count;
-  (void)state;
   assert_ok(hg_query_pairs(one, &p, &p_count));
   assert_ok(hg_query_pairs(two, &q, &q_count));
   assert_int_equal(p_count, q_count);
@@ -113,11 +108,10 @@ static void equal_grids_give_equal_bytes(void **state) {
 static const double kCenters[12] = {0, 0, 0, 2.5, 0, 0, 9, 0, 0, 9.375, 0, 0};
 static const double kRadii[4] = {3, 0.25, 0.25, 0.25};
 
-static void contact_and_max_range_differ(void **state) {
+TEST(contact_and_max_range_differ) {
   const hg_pair contacts[2] = {{0, 1}, {2, 3}}, ranges[1] = {{0, 1}};
   hg_grid_def def = hg_default_grid_def();
   hg_grid *grid = make_grid(&def, 4, kCenters, kRadii);
-  (void)state;
   assert_pairs(grid, contacts, 2);
   hg_destroy(grid);
   def.interaction = HG_MAX_RANGE;
@@ -126,11 +120,10 @@ static void contact_and_max_range_differ(void **state) {
   hg_destroy(grid);
 }
 
-static void margin_adds_to_every_reach(void **state) {
+TEST(margin_adds_to_every_reach) {
   const hg_pair contacts[4] = {{0, 1}, {0, 2}, {1, 2}, {2, 3}}, ranges[2] = {{0, 1}, {2, 3}};
   hg_grid_def def = hg_default_grid_def();
   hg_grid *grid;
-  (void)state;
   def.margin = 6.0625; /* 2.5 to 9 is 6.5 < 6.0625 + 0.5; 2.5 to 9.375 is 6.875 */
   grid = make_grid(&def, 4, kCenters, kRadii);
   assert_pairs(grid, contacts, 4);
@@ -142,34 +135,29 @@ static void margin_adds_to_every_reach(void **state) {
   hg_destroy(grid);
 }
 
-static void two_dimensions(void **state) {
+TEST(two_dimensions) {
   const double centers[6] = {0, 0, 3, 4, -3, -4.0000001};
   const double radii[3] = {2.5, 2.5000001, 2.5};
   const hg_pair expected[1] = {{0, 1}};
   hg_grid_def def = hg_default_grid_def();
   hg_grid *grid;
-  (void)state;
   def.dimension = 2;
   grid = make_grid(&def, 3, centers, radii);
   assert_pairs(grid, expected, 1);
   hg_destroy(grid);
 }
 
-static void across_a_periodic_face(void **state) {
+TEST(across_a_periodic_face) {
   const double centers[9] = {0.25, 5, 5, 9.5, 5, 5, 29.25, 5, 5};
   const double radii[3] = {0.5, 0.5, 0.5};
   const hg_pair expected[2] = {{0, 1}, {1, 2}};
   const hg_grid_def def = periodic_axis(0, 10);
   hg_grid *grid = make_grid(&def, 3, centers, radii);
-  (void)state;
   assert_pairs(grid, expected, 2); /* 0.25 and 29.25 exactly touch through the face */
   hg_destroy(grid);
 }
 
-static void refused_inside_a_visitor(void **state) {
-  (void)state;
-  assert_refused_in_visitor(search);
-}
+TEST(refused_inside_a_visitor) { assert_refused_in_visitor(search); }
 
 static void prepare(hg_grid **grid) {
   hg_grid_def def = hg_default_grid_def();
@@ -183,10 +171,9 @@ static void prepare_built(hg_grid **grid) {
 static hg_status query(hg_grid **grid) { return search(*grid); }
 static void still_a_chain(hg_grid *grid) { assert_chain(grid, 0); }
 
-static void no_memory(void **state) {
+TEST(no_memory) {
   const alloc_scenario unbuilt = {prepare, query, NULL, still_a_chain};
   const alloc_scenario built = {prepare_built, query, NULL, still_a_chain};
-  (void)state;
   assert_true(refuse_each_allocation(&unbuilt) > 0);
   assert_true(refuse_each_allocation(&built) > 0);
 }

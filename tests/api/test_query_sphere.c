@@ -21,9 +21,8 @@ static void assert_range(hg_grid *grid, double x, double radius, int32_t first, 
   for (k = 0; k < count; ++k) assert_int_equal(first + (int32_t)k, ids[k]);
 }
 
-static void ids_ascend(void **state) {
+TEST(ids_ascend) {
   hg_grid *grid = make_chain(NULL);
-  (void)state;
   assert_range(grid, 4, 0, 4, 4);
   assert_range(grid, 4.5, 0, 4, 5);
   assert_range(grid, 4, 1, 3, 5);
@@ -32,21 +31,19 @@ static void ids_ascend(void **state) {
   hg_destroy(grid);
 }
 
-static void touching_is_no_hit(void **state) {
+TEST(touching_is_no_hit) {
   const double centers[6] = {0, 0, 0, 4, 0, 0}, radii[2] = {1, 1};
   hg_grid *grid = make_grid(NULL, 2, centers, radii);
-  (void)state;
   assert_range(grid, 2, 1, 0, -1);
   assert_range(grid, 1.9999999999999998, 1, 0, 0);
   assert_range(grid, 1, 0, 0, -1);
   hg_destroy(grid);
 }
 
-static void margin_and_max_range_count(void **state) {
+TEST(margin_and_max_range_count) {
   const double centers[6] = {0, 0, 0, 4, 0, 0}, radii[2] = {1, 1};
   hg_grid_def def = hg_default_grid_def();
   hg_grid *grid;
-  (void)state;
   def.margin = 0.5;
   grid = make_grid(&def, 2, centers, radii);
   assert_range(grid, 2, 0.5, 0, -1);
@@ -61,11 +58,10 @@ static void margin_and_max_range_count(void **state) {
   hg_destroy(grid);
 }
 
-static void nearest_image_counts(void **state) {
+TEST(nearest_image_counts) {
   const double centers[6] = {0.25, 0, 0, 9, 0, 0}, radii[2] = {0.5, 0.5};
   const hg_grid_def def = periodic_axis(0, 10);
   hg_grid *grid = make_grid(&def, 2, centers, radii);
-  (void)state;
   assert_range(grid, 9.5, 0.5, 0, 1);
   assert_range(grid, -0.5, 0.5, 0, 1);
   assert_range(grid, 9.75, 0.25, 0, 0);
@@ -75,13 +71,12 @@ static void nearest_image_counts(void **state) {
   hg_destroy(grid);
 }
 
-static void two_dimensions(void **state) {
+TEST(two_dimensions) {
   const double centers[4] = {0, 0, 3, 4}, radii[2] = {1, 1}, center[2] = {3, 5};
   hg_grid_def def = hg_default_grid_def();
   const int32_t *ids;
   hg_grid *grid;
   size_t count;
-  (void)state;
   def.dimension = 2;
   def.index_base = 1;
   grid = make_grid(&def, 2, centers, radii);
@@ -91,20 +86,18 @@ static void two_dimensions(void **state) {
   hg_destroy(grid);
 }
 
-static void empty_grid(void **state) {
+TEST(empty_grid) {
   hg_grid *grid = make_empty(NULL);
-  (void)state;
   assert_range(grid, 0, 1e6, 0, -1);
   hg_destroy(grid);
 }
 
-static void bad_arguments(void **state) {
+TEST(bad_arguments) {
   hg_grid *grid = make_chain(NULL);
   double center[3] = {0, 0, 0};
   const int32_t *ids;
   size_t count;
   int axis;
-  (void)state;
   assert_status(HG_ERR_NULL, hg_query_sphere(NULL, center, 1, &ids, &count));
   assert_status(HG_ERR_NULL, hg_query_sphere(grid, NULL, 1, &ids, &count));
   assert_status(HG_ERR_NULL, hg_query_sphere(grid, center, 1, NULL, &count));
@@ -126,13 +119,12 @@ static void bad_arguments(void **state) {
   hg_destroy(grid);
 }
 
-static void too_far_outside_a_periodic_box(void **state) {
+TEST(too_far_outside_a_periodic_box) {
   const double far[3] = {0, 4294967296.0, 0};
   const hg_grid_def def = periodic_axis(1, 1);
   hg_grid *grid = make_empty(&def);
   const int32_t *ids;
   size_t count;
-  (void)state;
   assert_status(HG_ERR_ARGUMENT, hg_query_sphere(grid, far, 0.1, &ids, &count));
   assert_error_names("center[1]");
   hg_destroy(grid);
@@ -147,15 +139,9 @@ static hg_status query_again(hg_grid *grid) {
   return status;
 }
 
-static void refused_inside_a_visitor(void **state) {
-  (void)state;
-  assert_refused_in_visitor(query_again);
-}
+TEST(refused_inside_a_visitor) { assert_refused_in_visitor(query_again); }
 
-static void no_memory(void **state) {
-  (void)state;
-  assert_true(refuse_each_allocation_on_chain(query_again) > 0);
-}
+TEST(no_memory) { assert_true(refuse_each_allocation_on_chain(query_again) > 0); }
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define MALLOC_ASKS_THE_SYSTEM 0 /* the sanitizers' own malloc ends the program when the system refuses */
@@ -164,7 +150,7 @@ static void no_memory(void **state) {
 #endif
 
 /* The list of ids is the thread's and comes from malloc, which no hook reaches: so the system refuses the memory. */
-static void no_memory_for_the_list(void **state) {
+TEST(no_memory_for_the_list) {
   enum { COUNT = 300000 };
   double *centers, *radii;
   const double center[3] = {0, 0, 0};
@@ -174,7 +160,6 @@ static void no_memory_for_the_list(void **state) {
   size_t count = 0;
   hg_grid *grid;
   int k;
-  (void)state;
   if (!MALLOC_ASKS_THE_SYSTEM) skip();
   centers = calloc(3 * COUNT, sizeof *centers);
   radii = calloc(COUNT, sizeof *radii);

@@ -5,23 +5,21 @@
 #include "tests/support/failing_alloc.h"
 #include "tests/support/fixture.h"
 
-static void neighbours_of_the_gap_remain(void **state) {
+TEST(neighbours_of_the_gap_remain) {
   const int32_t gone[2] = {4, 0};
   const hg_pair expected[5] = {{1, 2}, {2, 3}, {5, 6}, {6, 7}, {7, 8}};
   hg_grid *grid = make_chain(NULL);
-  (void)state;
   assert_ok(hg_remove(grid, 2, gone));
   assert_pairs(grid, expected, 5);
   hg_destroy(grid);
 }
 
-static void ids_are_not_reused(void **state) {
+TEST(ids_are_not_reused) {
   const int32_t last = CHAIN_COUNT - 1;
   const double center[3] = {CHAIN_COUNT - 1, 0, 0}, radius = 0.6;
   const hg_pair *pairs;
   hg_grid *grid = make_chain(NULL);
   size_t count;
-  (void)state;
   assert_ok(hg_remove(grid, 1, &last));
   assert_ok(hg_insert(grid, 1, center, &radius));
   assert_ok(hg_query_pairs(grid, &pairs, &count));
@@ -32,12 +30,11 @@ static void ids_are_not_reused(void **state) {
   hg_destroy(grid);
 }
 
-static void removing_all_leaves_an_empty_grid(void **state) {
+TEST(removing_all_leaves_an_empty_grid) {
   const int32_t all[CHAIN_COUNT] = {8, 7, 6, 5, 4, 3, 2, 1, 0};
   const double centers[6] = {0, 0, 0, 1, 0, 0}, radii[2] = {0.6, 0.6};
   const hg_pair expected = {CHAIN_COUNT, CHAIN_COUNT + 1};
   hg_grid *grid = make_chain(NULL);
-  (void)state;
   assert_ok(hg_remove(grid, CHAIN_COUNT, all));
   assert_pairs(grid, NULL, 0);
   assert_ok(hg_insert(grid, 2, centers, radii));
@@ -55,9 +52,8 @@ static void refuse(hg_grid *grid, int32_t first, int32_t second, int32_t third, 
   assert_chain(grid, 0);
 }
 
-static void unknown_ids_change_nothing(void **state) {
+TEST(unknown_ids_change_nothing) {
   hg_grid *grid = make_chain(NULL);
-  (void)state;
   refuse(grid, 1, 2, CHAIN_COUNT, "9");
   refuse(grid, -1, 2, 3, "-1");
   refuse(grid, 3, INT32_MAX, 4, "2147483647");
@@ -66,11 +62,10 @@ static void unknown_ids_change_nothing(void **state) {
   hg_destroy(grid);
 }
 
-static void index_base_shifts_the_ids(void **state) {
+TEST(index_base_shifts_the_ids) {
   const int32_t zero = 0, nine = CHAIN_COUNT;
   hg_grid_def def = hg_default_grid_def();
   hg_grid *grid;
-  (void)state;
   def.index_base = 1;
   grid = make_chain(&def);
   assert_status(HG_ERR_NOT_FOUND, hg_remove(grid, 1, &zero));
@@ -79,10 +74,9 @@ static void index_base_shifts_the_ids(void **state) {
   hg_destroy(grid);
 }
 
-static void null_and_zero(void **state) {
+TEST(null_and_zero) {
   const int32_t id = 0;
   hg_grid *grid = make_chain(NULL);
-  (void)state;
   assert_status(HG_ERR_NULL, hg_remove(NULL, 1, &id));
   assert_status(HG_ERR_NULL, hg_remove(grid, 1, NULL));
   assert_ok(hg_remove(grid, 0, &id));
@@ -96,10 +90,7 @@ static hg_status remove_again(hg_grid *grid) {
   return hg_remove(grid, 1, &id);
 }
 
-static void refused_inside_a_visitor(void **state) {
-  (void)state;
-  assert_refused_in_visitor(remove_again);
-}
+TEST(refused_inside_a_visitor) { assert_refused_in_visitor(remove_again); }
 
 static void prepare(hg_grid **grid) {
   *grid = make_chain(NULL);
@@ -116,9 +107,8 @@ static void short_chain(hg_grid *grid) {
 }
 
 /* Whether the call needs memory is the library's choice. */
-static void no_memory(void **state) {
+TEST(no_memory) {
   const alloc_scenario scenario = {prepare, remove_last_two, still_a_chain, short_chain};
-  (void)state;
   refuse_each_allocation(&scenario);
 }
 
@@ -128,9 +118,8 @@ static void prepare_removed(hg_grid **grid) {
 }
 static hg_status query(hg_grid **grid) { return search(*grid); }
 
-static void no_memory_in_the_next_search(void **state) {
+TEST(no_memory_in_the_next_search) {
   const alloc_scenario scenario = {prepare_removed, query, NULL, short_chain};
-  (void)state;
   assert_true(refuse_each_allocation(&scenario) > 0);
 }
 

@@ -25,10 +25,9 @@ static void use_everything(hg_grid *grid) {
   assert_ok(hg_clear(grid));
 }
 
-static void balanced_at_destroy(void **state) {
+TEST(balanced_at_destroy) {
   const int32_t threads[] = {1, 3};
   size_t k;
-  (void)state;
   for (k = 0; k < 2; ++k) {
     hg_grid_def def = hg_default_grid_def();
     hg_grid *grid;
@@ -47,9 +46,8 @@ static void balanced_at_destroy(void **state) {
 }
 
 /* The statistics count what the grid holds: no less than the input it copied, no more than it asked for. */
-static void byte_count_is_within_the_books(void **state) {
+TEST(byte_count_is_within_the_books) {
   hg_grid *grid;
-  (void)state;
   failing_alloc_install();
   grid = make_chain(NULL);
   assert_chain(grid, 0);
@@ -59,10 +57,9 @@ static void byte_count_is_within_the_books(void **state) {
   failing_alloc_remove();
 }
 
-static void a_grid_keeps_its_allocator(void **state) {
+TEST(a_grid_keeps_its_allocator) {
   hg_grid *own, *other;
   long long calls;
-  (void)state;
   failing_alloc_install();
   own = make_chain(NULL);
   failing_alloc_remove();
@@ -93,11 +90,10 @@ static void some_release(void *context, void *memory, size_t size) {
   free(memory);
 }
 
-static void context_is_handed_back(void **state) {
+TEST(context_is_handed_back) {
   int calls = 0;
   hg_allocator allocator = {NULL, some_allocate, some_reallocate, some_release};
   hg_grid *grid;
-  (void)state;
   allocator.context = &calls;
   assert_ok(hg_set_allocator(&allocator));
   grid = make_chain(NULL);
@@ -106,10 +102,9 @@ static void context_is_handed_back(void **state) {
   hg_destroy(grid);
 }
 
-static void a_missing_member_changes_nothing(void **state) {
+TEST(a_missing_member_changes_nothing) {
   int calls = 0, missing;
   hg_grid *grid;
-  (void)state;
   failing_alloc_install();
   for (missing = 0; missing < 3; ++missing) {
     hg_allocator allocator = {NULL, some_allocate, some_reallocate, some_release};

@@ -4,8 +4,7 @@
 /* hg_status_string: the name of every status. */
 #include "tests/support/fixture.h"
 
-static void every_status_has_its_name(void **state) {
-  (void)state;
+TEST(every_status_has_its_name) {
   assert_string_equal("HG_OK", hg_status_string(HG_OK));
   assert_string_equal("HG_ERR_NULL", hg_status_string(HG_ERR_NULL));
   assert_string_equal("HG_ERR_ARGUMENT", hg_status_string(HG_ERR_ARGUMENT));
@@ -17,16 +16,14 @@ static void every_status_has_its_name(void **state) {
   assert_string_equal("HG_ERR_INTERNAL", hg_status_string(HG_ERR_INTERNAL));
 }
 
-static void other_values_are_unknown(void **state) {
-  (void)state;
+TEST(other_values_are_unknown) {
   assert_string_equal("unknown status", hg_status_string(-1));
   assert_string_equal("unknown status", hg_status_string(HG_ERR_INTERNAL + 1));
   assert_string_equal("unknown status", hg_status_string(INT32_MAX));
   assert_string_equal("unknown status", hg_status_string(INT32_MIN));
 }
 
-static void values_never_change(void **state) {
-  (void)state;
+TEST(values_never_change) {
   assert_int_equal(0, HG_OK);
   assert_int_equal(1, HG_ERR_NULL);
   assert_int_equal(2, HG_ERR_ARGUMENT);

@@ -4,18 +4,16 @@
 /* hg_version: the version of the loaded library. */
 #include "tests/support/fixture.h"
 
-static void equals_that_of_the_header(void **state) {
+TEST(equals_that_of_the_header) {
   int major = -1, minor = -1, patch = -1;
-  (void)state;
   hg_version(&major, &minor, &patch);
   assert_int_equal(HG_VERSION_MAJOR, major);
   assert_int_equal(HG_VERSION_MINOR, minor);
   assert_int_equal(HG_VERSION_PATCH, patch);
 }
 
-static void each_pointer_may_be_null(void **state) {
+TEST(each_pointer_may_be_null) {
   int major = -1, minor = -1, patch = -1;
-  (void)state;
   hg_version(NULL, NULL, NULL);
   hg_version(&major, NULL, NULL);
   hg_version(NULL, &minor, NULL);

@@ -31,9 +31,8 @@ static int32_t count_pairs(void *context, const hg_pair *pairs, size_t count) {
   return 0;
 }
 
-static void every_pair_once(void **state) {
+TEST(every_pair_once) {
   int32_t order;
-  (void)state;
   for (order = HG_ORDER_GRID; order <= HG_ORDER_ID; ++order) {
     hg_grid_def def = hg_default_grid_def();
     hg_grid *grid;
@@ -50,10 +49,9 @@ static void every_pair_once(void **state) {
   }
 }
 
-static void nothing_to_visit(void **state) {
+TEST(nothing_to_visit) {
   hg_grid *grid = make_empty(NULL);
   tally t;
-  (void)state;
   memset(&t, 0, sizeof t);
   assert_ok(hg_visit_pairs(grid, count_pairs, &t));
   assert_int_equal(0, t.batches);
@@ -76,9 +74,8 @@ static hg_grid *make_pile(const hg_grid_def *def) {
   return make_grid(def, PILE, centers, radii);
 }
 
-static void nonzero_stops(void **state) {
+TEST(nonzero_stops) {
   int32_t order, threads;
-  (void)state;
   for (order = HG_ORDER_GRID; order <= HG_ORDER_ID; ++order) {
     for (threads = 1; threads <= 2; ++threads) {
       hg_grid_def def = hg_default_grid_def();
@@ -101,12 +98,11 @@ static int32_t add_counts(void *context, const hg_pair *pairs, size_t count) {
   return 0;
 }
 
-static void nothing_is_stored(void **state) {
+TEST(nothing_is_stored) {
   hg_grid_def def = hg_default_grid_def();
   hg_grid *grid;
   size_t total = 0;
   long long before;
-  (void)state;
   def.thread_count = 1;
   failing_alloc_install();
   grid = make_pile(&def);
@@ -120,10 +116,9 @@ static void nothing_is_stored(void **state) {
   failing_alloc_remove();
 }
 
-static void null_is_refused(void **state) {
+TEST(null_is_refused) {
   hg_grid *grid = make_chain(NULL);
   tally t;
-  (void)state;
   assert_status(HG_ERR_NULL, hg_visit_pairs(NULL, count_pairs, &t));
   assert_status(HG_ERR_NULL, hg_visit_pairs(grid, NULL, &t));
   hg_destroy(grid);
@@ -134,10 +129,7 @@ static hg_status visit_again(hg_grid *grid) {
   return hg_visit_pairs(grid, count_pairs, &t);
 }
 
-static void refused_inside_a_visitor(void **state) {
-  (void)state;
-  assert_refused_in_visitor(visit_again);
-}
+TEST(refused_inside_a_visitor) { assert_refused_in_visitor(visit_again); }
 
 static int32_t visit_other(void *context, const hg_pair *pairs, size_t count) {
   (void)pairs;
@@ -146,20 +138,18 @@ static int32_t visit_other(void *context, const hg_pair *pairs, size_t count) {
   return 0;
 }
 
-static void another_grid_is_free(void **state) {
+TEST(another_grid_is_free) {
   hg_grid *grid = make_chain(NULL), *other = make_chain(NULL);
-  (void)state;
   assert_ok(hg_visit_pairs(grid, visit_other, other));
   hg_destroy(grid);
   hg_destroy(other);
 }
 
 /* The refusal ends with the visit. */
-static void the_grid_is_free_after_a_stop(void **state) {
+TEST(the_grid_is_free_after_a_stop) {
   const double center[3] = {100, 0, 0}, radius = 1;
   hg_grid *grid = make_chain(NULL);
   int calls = 0;
-  (void)state;
   assert_ok(hg_visit_pairs(grid, stop_at_once, &calls));
   assert_ok(hg_insert(grid, 1, center, &radius));
   assert_chain(grid, 0);
@@ -180,9 +170,8 @@ static hg_status visit_all(hg_grid *grid) {
 static hg_status visit(hg_grid **grid) { return visit_all(*grid); }
 static void still_a_chain(hg_grid *grid) { assert_chain(grid, 0); }
 
-static void no_memory(void **state) {
+TEST(no_memory) {
   const alloc_scenario id_order = {prepare_id_order, visit, NULL, still_a_chain};
-  (void)state;
   assert_true(refuse_each_allocation_on_chain(visit_all) > 0);
   assert_true(refuse_each_allocation(&id_order) > 0);
 }

@@ -18,12 +18,11 @@ static double from_bits(uint64_t bits) {
   return value;
 }
 
-static void nan_and_infinity_are_refused(void **state) {
+TEST(nan_and_infinity_are_refused) {
   const uint64_t bad[] = {0x7ff8000000000000u, 0x7ff0000000000001u, 0xfff8000000000000u, 0x7ff0000000000000u,
                           0xfff0000000000000u};
   hg_grid *grid = make_chain(NULL);
   size_t k;
-  (void)state;
   for (k = 0; k < sizeof bad / sizeof *bad; ++k) {
     const double center[3] = {0, from_bits(bad[k]), 0}, origin[3] = {0, 0, 0}, radius = 1, wrong = from_bits(bad[k]);
     assert_status(HG_ERR_ARGUMENT, hg_insert(grid, 1, center, &radius));
@@ -36,14 +35,13 @@ static void nan_and_infinity_are_refused(void **state) {
 }
 
 /* Spheres of radius 0.1 that touch, or miss touching by a unit in the last place, on a line. */
-static void near_ties_are_exact(void **state) {
+TEST(near_ties_are_exact) {
   enum { PAIRS = 100 };
   static double centers[6 * PAIRS], radii[2 * PAIRS];
   hg_pair expected[PAIRS];
   size_t count = 0;
   hg_grid *grid;
   int i;
-  (void)state;
   for (i = 0; i < PAIRS; ++i) {
     uint64_t reach = 0x3fe0000000000000u; /* 0.5, plus or minus up to two units in the last place */
     reach += (uint64_t)(i % 5) - 2;
@@ -61,11 +59,10 @@ static void near_ties_are_exact(void **state) {
 }
 
 /* 2^-1074 apart with radii of 2^-1074: they overlap, though the host takes all of it for zero. */
-static void subnormal_pairs_are_found(void **state) {
+TEST(subnormal_pairs_are_found) {
   double centers[9] = {0}, radii[3];
   hg_pair expected[2] = {{0, 1}, {1, 2}};
   hg_grid *grid;
-  (void)state;
   centers[3] = from_bits(1);
   centers[6] = from_bits(2);
   radii[0] = radii[1] = radii[2] = from_bits(1);

@@ -8,11 +8,10 @@
 
 #include <stdlib.h>
 
-static void unknown_name_is_refused(void **state) {
+TEST(unknown_name_is_refused) {
   const double centers[6] = {0, 0, 0, 1, 0, 0}, radii[2] = {1, 1};
   hg_grid *grid = make_empty(NULL);
   hg_status status;
-  (void)state;
   assert_int_equal(0, setenv("HGRID_ISA", "abacus", 1));
   status = hg_insert(grid, 2, centers, radii);
   if (status == HG_OK) status = search(grid);

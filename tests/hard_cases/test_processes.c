@@ -60,9 +60,8 @@ static int child_status(int (*work)(hg_grid *grid), hg_grid *grid) {
 }
 
 /* The parent's grid is the child's as well; both go on without the other. */
-static void a_forked_child_has_the_grid(void **state) {
+TEST(a_forked_child_has_the_grid) {
   hg_grid *grid = make_lattice(1);
-  (void)state;
   assert_true(has_all_pairs(grid));
   assert_int_equal(0, child_status(has_all_pairs, grid));
   assert_int_equal(0, child_status(finds_all_pairs_anew, grid));
@@ -71,9 +70,8 @@ static void a_forked_child_has_the_grid(void **state) {
 }
 
 /* The threads that searched for the parent do not exist in the child. */
-static void a_forked_child_searches_without_the_parents_threads(void **state) {
+TEST(a_forked_child_searches_without_the_parents_threads) {
   hg_grid *grid = make_lattice(2);
-  (void)state;
   assert_true(has_all_pairs(grid));
   assert_int_equal(0, child_status(finds_all_pairs_anew, grid));
   assert_true(finds_all_pairs_anew(grid));
@@ -91,10 +89,9 @@ static void *own_grids(void *result) {
   return NULL;
 }
 
-static void two_grids_in_two_threads(void **state) {
+TEST(two_grids_in_two_threads) {
   pthread_t threads[2];
   int results[2] = {0, 0}, k;
-  (void)state;
   for (k = 0; k < 2; ++k) assert_int_equal(0, pthread_create(&threads[k], NULL, own_grids, &results[k]));
   for (k = 0; k < 2; ++k) assert_int_equal(0, pthread_join(threads[k], NULL));
   for (k = 0; k < 2; ++k) assert_int_equal(1, results[k]);

@@ -19,7 +19,10 @@ extern "C" {
 #endif
 /* clang-format on */
 
-#ifdef __cplusplus
+#ifndef __cplusplus
+/* The function of a test, which gets no state. */
+#define TEST(name) static void name(__attribute__((unused)) void **state)
+#else
 /* This macro would rewrite hg::fail and member functions of the standard library. */
 #undef fail
 
