@@ -8,9 +8,11 @@
 #include "src/kernels/kernel_set.hpp"
 #include "src/kernels/lanes_scalar.hpp"
 #include "src/levels/companions.hpp"
+#include "src/particles/bounds.hpp"
 #include "src/space/level_cells.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace hg {
@@ -33,7 +35,10 @@ class Builder {
 
   void run() {
     populate_levels();
-    lay_levels();
+    if (!lay_levels()) {
+      sort_into_chunks();
+      return;
+    }
     scatter_into_rows();
     for (int h = 0; h < index_.level_count; h++) sort_level(h);
   }
@@ -60,7 +65,8 @@ class Builder {
     }
   }
 
-  void lay_levels() {
+  // False if space is filled so unevenly that tables of cells do not suit.
+  bool lay_levels() {
     size_t rows = 0, cells = 0;
     for (int h = 0; h < index_.level_count; h++) {
       IndexLevel &l = level(h);
@@ -72,16 +78,78 @@ class Builder {
       l.cells.largest_radius =
           static_cast<float>(index_.interaction.folded_radius(l.largest_radius) * index_.map.scale);
       const RadiusRange radii{h == 0 ? -1.0 : level(h - 1).plan.radius_limit, l.plan.radius_limit};
-      l.sparse =
-          laid.widened && estimate_companions(store_, index_.map, D, l.cells, radii, l.end - l.begin) > kMostCompanions;
-      rows += l.sparse ? 1 : laid.rows;
-      cells += l.sparse ? 0 : laid.cells + 1;
-      index_.row_count += l.sparse ? 0 : static_cast<int64_t>(laid.rows);
-      index_.cell_count += l.sparse ? 0 : static_cast<int64_t>(laid.cells);
+      if (laid.widened && count_ <= ChunkRows::kMostParticles && index_.largest_reach() > 0 &&
+          estimate_companions(store_, index_.map, D, l.cells, radii, l.end - l.begin) > kMostCompanions) {
+        return false;
+      }
+      rows += laid.rows;
+      cells += laid.cells + 1;
     }
     rows_ = rows;
+    index_.row_count = static_cast<int64_t>(rows);
+    index_.cell_count = static_cast<int64_t>(cells);
     index_.cell_begin.require_room(cells + kPadding);
     for (int h = 0; h < index_.level_count; h++) level(h).cells.cell_begin = index_.cell_begin.data() + cell_base_[h];
+    return true;
+  }
+
+  void sort_into_chunks() {
+    index_.chunked = true;
+    ChunkRows::Sizes sizes;
+    sizes.level_count = index_.level_count;
+    for (int h = 0; h < index_.level_count; h++) {
+      IndexLevel &l = level(h);
+      sizes.diameter[h] = l.is_empty() ? index_.largest_reach() : index_.interaction.diameter(l.largest_radius);
+      sizes.radius_limit[h] = l.plan.radius_limit;
+    }
+    ChunkInput input{store_.centers(), store_.radii(), {}, index_.interaction.folded_radius(0), 0, nullptr, 0};
+    index_.map = map_far(input, sizes.diameter);
+    input.map = index_.map;
+    for (int h = 0; h < index_.level_count; h++) {
+      level(h).cells.largest_radius =
+          static_cast<float>(index_.interaction.folded_radius(level(h).largest_radius) * index_.map.scale);
+    }
+    PointStore &points = index_.particles;
+    index_.chunks.build(input, sizes, D, count_, points.slot.data(), scratch_.chunks);
+    const ChunkScatter output{points.x.data(), points.y.data(), points.z.data(), points.radius.data()};
+    const ChunkBuildKernel &kernel = active_kernels().chunk_build[D - 2];
+    parallel_for(threads_, parts_, [&](size_t part, int) {
+      kernel.put(input, points.slot.data(), part_begin(part), part_begin(part + 1), output);
+    });
+    uint32_t giants = static_cast<uint32_t>(count_);
+    for (int h = index_.level_count - 1; h >= 0 && index_.chunks.level(h).giants; h--) giants = level(h).begin;
+    index_.chunks.place_giants(input, points.slot.data(), giants, count_, D);
+    index_.row_count = static_cast<int64_t>(index_.chunks.rows());
+    index_.cell_count = static_cast<int64_t>(index_.chunks.cells());
+  }
+
+  // The map of places that wrap, and where the centres are that it maps. It is as fine as the smallest need; so much
+  // larger ones become giants.
+  FixedPoint map_far(ChunkInput &input, const double *diameters) {
+    constexpr double kFineDiameter = 0x1p12;    // quanta
+    constexpr double kWorthSqueezing = 0x1p21;  // quanta: the largest diameter that extents shall leave
+    constexpr double kGap = 4;                  // largest diameters
+    const Domain &domain = index_.domain;
+    double largest = index_.largest_reach();
+    const double gap = kGap * largest;
+    for (int h = 0; h < index_.level_count; h++) {
+      if (level(h).is_empty() || !(diameters[h] > 0)) continue;
+      largest = std::min(largest, diameters[h] * (ChunkRows::kGiantDiameter / kFineDiameter));
+      break;
+    }
+    double most_wraps = 0;
+    bool any_open = false;
+    for (int axis = 0; axis < D; axis++) {
+      any_open = any_open || !domain.periodic[axis];
+      const Interval &x = store_.summary().center[axis];
+      most_wraps =
+          std::max({most_wraps, std::fabs(domain.wraps(axis, x.least)), std::fabs(domain.wraps(axis, x.greatest))});
+    }
+    const FixedPoint map = FixedPoint::wrapping(spread_of(store_, domain), domain, largest, most_wraps);
+    if (largest * map.scale >= kWorthSqueezing || !any_open) return map;
+    const Bounds squeezed = index_.squeezed.squeeze(store_, domain, gap);
+    input.centers = index_.squeezed.centers();
+    return FixedPoint::wrapping(squeezed, domain, largest, most_wraps);
   }
 
   BuildInput build_input(LevelRows *levels) {
@@ -90,7 +158,7 @@ class Builder {
     for (int h = 0; h < index_.level_count; h++) {
       const IndexLevel &l = level(h);
       levels[h] = {l.plan.radius_limit, 0, 0.5f, 0, 0.5f, 1, static_cast<uint32_t>(row_base_[h])};
-      if (l.sparse || l.is_empty()) continue;
+      if (l.is_empty()) continue;
       levels[h].inverse_y = l.cells.inverse_width[1];
       levels[h].last_y = last_of(l.cells, 1);
       levels[h].inverse_z = l.cells.inverse_width[2];
@@ -140,10 +208,6 @@ class Builder {
   void sort_level(int h) {
     IndexLevel &l = level(h);
     if (l.is_empty()) return;
-    if (l.sparse) {
-      sort_sparse(l);
-      return;
-    }
     const size_t rows = static_cast<size_t>(l.cells.count[1]) * static_cast<size_t>(l.cells.count[2]);
     uint32_t *cells = index_.cell_begin.data() + cell_base_[h];
     const uint32_t *row_begin = scratch_.row_begin.data() + row_base_[h];
@@ -191,27 +255,6 @@ class Builder {
     for (size_t i = 0; i < count; i++) std::memcpy(column.data() + to[i], room + i, sizeof(T));
   }
 
-  void sort_sparse(IndexLevel &l) {
-    const uint32_t count = l.end - l.begin;
-    double origin[3] = {0, 0, 0};
-    for (int axis = 0; axis < D; axis++) origin[axis] = 2 * index_.map.half_origin[axis];
-    uint32_t *slots = index_.particles.slot.data() + l.begin;
-    // Any width will do for correctness; a level of points alone (s_h = 0) still needs one. Not the quantum otherwise:
-    // one particle far away makes that wider than a crowd.
-    const double width = l.plan.cell_size > 0 ? l.plan.cell_size : 1.0 / index_.map.scale;
-    l.rows = index_.sparse.add_level(store_, index_.domain, origin, width, slots, l.begin, count);
-    for (uint32_t i = l.begin; i < l.end; i++) place(i, index_.particles.slot[i]);
-  }
-
-  // As the kernels that scatter do.
-  void place(uint32_t at, uint32_t slot) {
-    for (int axis = 0; axis < D; axis++) {
-      index_.particles.column(axis)[at] = index_.map.coordinate(axis, store_.center(slot)[axis]);
-    }
-    index_.particles.radius[at] =
-        static_cast<float>(index_.interaction.folded_radius(store_.radius(slot)) * index_.map.scale);
-  }
-
   Index &index_;
   BuildScratch &scratch_;
   const ParticleStore &store_;
@@ -244,7 +287,8 @@ void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store
   index.largest_radius = count > 0 ? store.summary().radius.greatest : 0;
   index.level_count = plan.level_count;
   index.row_count = index.cell_count = 0;
-  index.sparse.clear();
+  index.chunked = false;
+  index.squeezed.release();
   for (int h = 0; h < plan.level_count; h++) {
     index.levels[h] = IndexLevel{};
     index.levels[h].plan = plan.levels[h];
@@ -255,7 +299,6 @@ void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store
   } else {
     Builder<3>(index, scratch, store, threads).run();
   }
-  index.row_count += static_cast<int64_t>(index.sparse.rows());
   build_images(index);
 }
 

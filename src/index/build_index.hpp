@@ -11,10 +11,11 @@ namespace hg {
 
 // What building needs besides the index, kept between builds.
 struct BuildScratch {
-  explicit BuildScratch(Memory &memory) : row_of(memory), row_begin(memory), row(memory) {}
+  explicit BuildScratch(Memory &memory) : row_of(memory), row_begin(memory), row(memory), chunks(memory) {}
   Buffer<uint32_t> row_of;     // of each particle, in slot order
   Buffer<uint32_t> row_begin;  // for each part of the particles
   Buffer<uint32_t> row;        // for each worker, room to sort a row: 2 words per particle
+  ChunkScratch chunks;
 };
 
 // Sorts the particles of the store (which has no gaps) into the levels of the plan. The index's interaction and, unless

@@ -7,7 +7,8 @@
 #include "src/base/memory.hpp"
 #include "src/exact/domain.hpp"
 #include "src/exact/interaction.hpp"
-#include "src/index/sparse_rows.hpp"
+#include "src/index/chunk_rows.hpp"
+#include "src/index/squeezed_axes.hpp"
 #include "src/kernels/points.hpp"
 #include "src/levels/level_plan.hpp"
 #include "src/space/cell_table.hpp"
@@ -42,9 +43,7 @@ struct IndexLevel {
   // Periodic images that reach into the box, in the sorted images: those that stand for a step forward come first, so
   // that own-level pairs across the box are met from one side only.
   uint32_t image_begin = 0, image_forward_end = 0, image_end = 0;
-  bool sparse = false;
-  CellTable cells{};   // unless sparse
-  SparseLevel rows{};  // if sparse
+  CellTable cells{};  // unless the index is chunked
 
   bool is_empty() const { return begin == end; }
 };
@@ -57,10 +56,13 @@ class Index {
         interaction(of_interaction),
         particles(memory),
         images(memory),
-        sparse(memory),
-        cell_begin(memory) {}
+        cell_begin(memory),
+        chunks(memory),
+        squeezed(memory),
+        image_place{Buffer<double>(memory), Buffer<double>(memory), Buffer<double>(memory)} {}
 
   uint32_t image_count() const { return level_count > 0 ? levels[level_count - 1].image_end : 0; }
+  ChunkTable chunk_table(int h) const { return chunks.table(h, levels[h].cells.largest_radius); }
   // Farther than any two of its particles interact.
   double largest_reach() const { return interaction.diameter(largest_radius); }
 
@@ -74,8 +76,13 @@ class Index {
 
   PointStore particles;
   PointStore images;
-  SparseRows sparse;
   Buffer<uint32_t> cell_begin;
+
+  // In a space that is mostly empty levels are chunks of rows instead of tables of cells, and coordinates wrap.
+  bool chunked = false;
+  ChunkRows chunks;
+  SqueezedAxes squeezed;
+  Buffer<double> image_place[3];  // of each image, as FixedPoint::quanta counts
 };
 
 }  // namespace hg

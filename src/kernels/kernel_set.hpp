@@ -11,6 +11,7 @@
 #include "src/kernels/pair_stream.hpp"
 #include "src/kernels/points.hpp"
 #include "src/space/cell_table.hpp"
+#include "src/space/chunk_table.hpp"
 #include "src/space/fixed_point.hpp"
 
 namespace hg {
@@ -69,6 +70,41 @@ struct BuildKernel {
   void (*put_into_rows)(const BuildInput &input, size_t begin, size_t end, const RowScatter &output);
 };
 
+// Of a level that is kept as chunks of rows. The layers (rows of the same z) of all levels are numbered through.
+struct ChunkLevelKey {
+  double radius_limit;
+  double inverse_cell, inverse_width;  // of a cell along x, of a row
+  double low[3];                       // the place where cells begin
+  uint64_t first_layer;
+};
+
+struct ChunkInput {
+  const double *centers, *radii;
+  FixedPoint map;
+  double extra_radius;
+  int level_count;
+  const ChunkLevelKey *levels;
+  int row_bits;  // of the number of a row in its layer
+};
+
+// Where a particle lies: row = layer << row_bits | row in the layer + 1, so that 0 is in no layer a row.
+struct ChunkKey {
+  uint64_t row;
+  uint32_t cell, slot;
+};
+
+// Columns of points; z is not written in 2D.
+struct ChunkScatter {
+  int32_t *x, *y, *z;
+  float *radius;
+};
+
+struct ChunkBuildKernel {
+  void (*find_keys)(const ChunkInput &input, size_t begin, size_t end, ChunkKey *keys);
+  // Point i, for i in [begin, end), is the particle slots[i].
+  void (*put)(const ChunkInput &input, const uint32_t *slots, size_t begin, size_t end, const ChunkScatter &output);
+};
+
 // ---- search: from points to pairs
 
 // Points that step through the stencil together. The order of the pairs depends on it, so work is cut at multiples.
@@ -84,6 +120,20 @@ struct SearchKernel {
                       const PointArrays &particles, PairStream *stream);
 };
 
+// Points that lie near each other, and the coordinates of a place near them.
+struct ChunkGroup {
+  uint32_t begin, end;
+  int32_t place[3];
+};
+
+// The same where levels are chunks of rows.
+struct ChunkSearchKernel {
+  bool (*own_level)(const PointArrays &points, uint32_t begin, uint32_t end, const ChunkTable &chunks,
+                    PairStream *stream);
+  bool (*near_chunks)(const PointArrays &points, const ChunkGroup &group, const ChunkTable &chunks,
+                      const NearChunks &near, const PointArrays &particles, PairStream *stream);
+};
+
 // ---- update: where the particles of stored candidates are now
 
 // Where particles were when the candidates were collected, and where they are now.
@@ -91,6 +141,7 @@ struct UpdateInput {
   const double *centers, *radii;  // the caller's; radii NULL: no radius has changed since the candidates were collected
   const uint32_t *slot;           // of each point in `centers`
   const int32_t *x[3];            // of each point when the candidates were collected; x[2] is not read in 2D
+  const double *place[3];         // where coordinates wrap: likewise, as places; else NULL
   const float *radius;            // likewise, folded with the wider reach of the candidates
   FixedPoint map;
   double extra_radius, extra_wide_radius;  // make a radius a folded one, for the true and for the wider reach
@@ -121,7 +172,9 @@ struct KernelSet {
   const char *name;
   InputCheckKernel *check_input[2];
   BuildKernel build[2];
+  ChunkBuildKernel chunk_build[2];
   SearchKernel search[2][InteractionRules::kCount];
+  ChunkSearchKernel chunk_search[2][InteractionRules::kCount];
   UpdateKernel *update[2];
   FilterKernel *filter[InteractionRules::kCount];
 };

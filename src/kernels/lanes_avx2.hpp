@@ -63,6 +63,8 @@ struct Avx2Lanes {
   static Int add(Int a, Int b) { return _mm256_add_epi32(a, b); }
   static Int sub(Int a, Int b) { return _mm256_sub_epi32(a, b); }
   static Int mul(Int a, Int b) { return _mm256_mullo_epi32(a, b); }
+  static Int bit_and(Int a, Int b) { return _mm256_and_si256(a, b); }
+  static Int halve(Int a) { return _mm256_srai_epi32(a, 1); }
 
   static Mask less(Float a, Float b) { return _mm256_castps_si256(_mm256_cmp_ps(a, b, _CMP_LT_OQ)); }
   static Mask greater(Int a, Int b) { return _mm256_cmpgt_epi32(a, b); }

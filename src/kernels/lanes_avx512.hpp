@@ -50,6 +50,8 @@ struct Avx512Lanes {
   static Int add(Int a, Int b) { return _mm512_add_epi32(a, b); }
   static Int sub(Int a, Int b) { return _mm512_sub_epi32(a, b); }
   static Int mul(Int a, Int b) { return _mm512_mullo_epi32(a, b); }
+  static Int bit_and(Int a, Int b) { return _mm512_and_si512(a, b); }
+  static Int halve(Int a) { return _mm512_srai_epi32(a, 1); }
 
   static Mask less(Float a, Float b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
   static Mask greater(Int a, Int b) { return _mm512_cmpgt_epi32_mask(a, b); }

@@ -72,6 +72,8 @@ struct NeonLanes {
   static Int add(Int a, Int b) { return vaddq_s32(a, b); }
   static Int sub(Int a, Int b) { return vsubq_s32(a, b); }
   static Int mul(Int a, Int b) { return vmulq_s32(a, b); }
+  static Int bit_and(Int a, Int b) { return vandq_s32(a, b); }
+  static Int halve(Int a) { return vshrq_n_s32(a, 1); }
 
   static Mask less(Float a, Float b) { return vcltq_f32(a, b); }
   static Mask greater(Int a, Int b) { return vcgtq_s32(a, b); }

@@ -33,9 +33,12 @@ struct ScalarLanes {
   static Float to_float(Int a) { return static_cast<float>(a); }
   static Int truncate(Float a) { return static_cast<int32_t>(a); }
 
-  static Int add(Int a, Int b) { return a + b; }
-  static Int sub(Int a, Int b) { return a - b; }
-  static Int mul(Int a, Int b) { return a * b; }
+  // Modulo 2^32, as vectors do.
+  static Int add(Int a, Int b) { return static_cast<Int>(static_cast<uint32_t>(a) + static_cast<uint32_t>(b)); }
+  static Int sub(Int a, Int b) { return static_cast<Int>(static_cast<uint32_t>(a) - static_cast<uint32_t>(b)); }
+  static Int mul(Int a, Int b) { return static_cast<Int>(static_cast<uint32_t>(a) * static_cast<uint32_t>(b)); }
+  static Int bit_and(Int a, Int b) { return a & b; }
+  static Int halve(Int a) { return a >> 1; }
 
   static Mask less(Float a, Float b) { return a < b; }
   static Mask greater(Int a, Int b) { return a > b; }

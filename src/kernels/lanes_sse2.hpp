@@ -49,6 +49,8 @@ struct Sse2Lanes {
     return _mm_unpacklo_epi32(_mm_shuffle_epi32(even, _MM_SHUFFLE(0, 0, 2, 0)),
                               _mm_shuffle_epi32(odd, _MM_SHUFFLE(0, 0, 2, 0)));
   }
+  static Int bit_and(Int a, Int b) { return _mm_and_si128(a, b); }
+  static Int halve(Int a) { return _mm_srai_epi32(a, 1); }
 
   static Mask less(Float a, Float b) { return _mm_castps_si128(_mm_cmplt_ps(a, b)); }
   static Mask greater(Int a, Int b) { return _mm_cmpgt_epi32(a, b); }

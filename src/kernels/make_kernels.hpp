@@ -4,6 +4,8 @@
 #pragma once
 
 #include "src/kernels/build.hpp"
+#include "src/kernels/chunk_build.hpp"
+#include "src/kernels/chunk_search.hpp"
 #include "src/kernels/filter.hpp"
 #include "src/kernels/input_check.hpp"
 #include "src/kernels/search.hpp"
@@ -17,7 +19,9 @@ constexpr KernelSet make_kernels(const char *name, RuleList<Rules...>) {
   return {name,
           {check_input<2>, check_input<3>},
           {make_build<2>(), make_build<3>()},
+          {make_chunk_build<2>(), make_chunk_build<3>()},
           {{make_search<V, 2, Rules>()...}, {make_search<V, 3, Rules>()...}},
+          {{make_chunk_search<V, 2, Rules>()...}, {make_chunk_search<V, 3, Rules>()...}},
           {update<2>, update<3>},
           {filter<V, Rules>...}};
 }

@@ -8,33 +8,29 @@
 // Everything here is in an unnamed namespace: each instruction set compiles its own copy, none may leak into another.
 #pragma once
 
-#include "src/exact/fast_test.hpp"
-#include "src/kernels/kernel_set.hpp"
-#include "src/kernels/undecided.hpp"
+#include "src/kernels/range_test.hpp"
 
 namespace hg {
 namespace {
 
-constexpr uint32_t kMaxRanges = 1024;  // candidate ranges collected before they are tested
 constexpr int32_t kManyRows = 3 * 16;  // rows above which lanes stand for rows instead of particles
 
-// Candidates [begin, end) of one point.
-struct Ranges {
-  uint32_t count = 0;
-  uint32_t point[kMaxRanges + kPadding], begin[kMaxRanges + kPadding], end[kMaxRanges + kPadding];
-};
-
 template <class V, int D, class Rule>
-class LevelSearch {
-  using F = typename V::Float;
-  using I = typename V::Int;
-  using M = typename V::Mask;
-  static constexpr uint32_t kLanes = V::kLanes;
-  static constexpr uint32_t kParts = kBlock / kLanes;  // vectors per block
+class LevelSearch : RangeTest<V, D, Rule> {
+  using Test = RangeTest<V, D, Rule>;
+  using Test::consume;
+  using Test::has_room_for;
+  using Test::kLanes;
+  using Test::kParts;
+  using Test::points_;
+  using Test::push;
+  using typename Test::F;
+  using typename Test::I;
+  using typename Test::M;
 
  public:
   LevelSearch(const PointArrays &points, const CellTable &cells, const PointArrays &particles, PairStream *stream)
-      : points_(points), cells_(cells), particles_(particles), stream_(stream) {
+      : Test(points, particles, stream), cells_(cells) {
     for (int axis = 0; axis < 3; axis++) {
       inverse_[axis] = V::set(cells.inverse_width[axis]);
       width_[axis] = V::set(cells.width[axis]);
@@ -51,7 +47,7 @@ class LevelSearch {
       if constexpr (D == 3) {
         for (int32_t dy = -1; dy <= 1; dy++) own_level_row(dy, 1);
       }
-      if (ranges_.count > kMaxRanges - 5 * kBlock && !consume()) return false;
+      if (!has_room_for(5 * kBlock) && !consume()) return false;
     }
     return consume();
   }
@@ -66,8 +62,6 @@ class LevelSearch {
   }
 
  private:
-  // ---- generate
-
   // The block's particles, lane by lane: positions, how far they search, and their rows.
   struct Part {
     I index;
@@ -113,15 +107,6 @@ class LevelSearch {
   I row_begin(I y, I z) const {
     const I row = D == 3 ? V::add(V::mul(z, V::set(cells_.count[1])), y) : y;
     return V::mul(row, V::set(cells_.count[0]));
-  }
-
-  void push(I point, I begin, I end, M wanted) {
-    const M some = V::both(wanted, V::greater(end, begin));
-    const uint32_t at = ranges_.count;
-    V::compress(ranges_.point + at, point, some);
-    V::compress(ranges_.begin + at, begin, some);
-    V::compress(ranges_.end + at, end, some);
-    ranges_.count = at + V::count(some);
   }
 
   // What spheres of squared radius half2, their chord with the row, can meet in a row.
@@ -187,7 +172,7 @@ class LevelSearch {
           const M outside = V::either(V::greater(y, last_y[n]), V::greater(z, last_z[n]));
           push_chord(p.index, p.x, chord(p, y, z, true), row_begin(y, z), V::without(p.active, outside));
         }
-        if (ranges_.count > kMaxRanges - kBlock && !consume()) return false;
+        if (!has_room_for(kBlock) && !consume()) return false;
       }
     }
     return true;
@@ -214,89 +199,16 @@ class LevelSearch {
           const I rows = V::add(V::set(y), V::iota());
           const M inside = V::greater(V::set(last_y + 1), rows);
           push_chord(p.index, p.x, chord(p, rows, V::set(z), true), row_begin(rows, V::set(z)), inside);
-          if (ranges_.count > kMaxRanges - kBlock && !consume()) return false;
+          if (!has_room_for(kBlock) && !consume()) return false;
         }
       }
     }
     return true;
   }
 
-  // ---- consume
-
-  bool consume() {
-    const uint32_t count = ranges_.count;
-    ranges_.count = 0;
-    for (uint32_t k = 0; k < count; k++) {
-      uint32_t begin = ranges_.begin[k];
-      const uint32_t end = ranges_.end[k];
-      do {
-        const uint32_t piece_end = end - begin > kMaxPiece ? begin + kMaxPiece : end;
-        if (!have_room(stream_, piece_end - begin + kPadding)) return false;
-        test(ranges_.point[k], begin, piece_end);
-        begin = piece_end;
-      } while (begin < end);
-    }
-    return true;
-  }
-
-  void test(uint32_t i, uint32_t begin, uint32_t end) {
-    // Locals, as the compiler must assume that writing pairs changes what members point to.
-    const PointArrays others = particles_;
-    const I x = V::set(points_.x[i]), y = V::set(points_.y[i]), z = V::set(D == 3 ? points_.z[i] : 0);
-    const F radius = V::set(points_.radius[i]), band_constant = V::set(stream_->judge.band_constant);
-    const uint32_t slot = points_.slot[i];
-    const int32_t offset = stream_->judge.id_offset;
-    hg_pair *next = stream_->output.next;
-    for (uint32_t j = begin; j < end; j += kLanes) {
-      const F dx = V::to_float(V::sub(x, V::load(others.x + j)));
-      const F dy = V::to_float(V::sub(y, V::load(others.y + j)));
-      F d2 = V::add(V::mul(dx, dx), V::mul(dy, dy));
-      if constexpr (D == 3) {
-        const F dz = V::to_float(V::sub(z, V::load(others.z + j)));
-        d2 = V::add(d2, V::mul(dz, dz));
-      }
-      const auto verdict = fast_test<V>(d2, Rule::template base<V>(radius, V::load(others.radius + j)), band_constant);
-      const uint32_t here = lanes_before(end - j);
-      const uint32_t found = verdict.possible() & here;
-      if (kLanes == 1 && found == 0) continue;
-      const uint32_t sure = verdict.sure() & here;
-      if (__builtin_expect(found != sure, 0)) next = leave_undecided(i, j, found, found ^ sure, next);
-      next = V::emit(next, slot, others.slot + j, found, offset);
-    }
-    stream_->output.next = next;
-    stream_->candidate_total += end - begin;
-  }
-
-  static uint32_t lanes_before(uint32_t count) { return count >= kLanes ? (1u << kLanes) - 1u : (1u << count) - 1u; }
-
-  // Notes which of the pairs about to be written at `next` are undecided. Returns where to write, as deciding the ones
-  // before may take some out.
-  __attribute__((noinline)) hg_pair *leave_undecided(uint32_t i, uint32_t j, uint32_t found, uint32_t undecided,
-                                                     hg_pair *next) {
-    if (stream_->undecided_count + kLanes > kMaxUndecided) {
-      stream_->output.next = next;
-      stream_->judge.decide(stream_);
-      next = stream_->output.next;
-    }
-    const Image image = points_.image != nullptr ? points_.image[i] : kNoImage;
-    const uint32_t slot = points_.slot[i];
-    fetch_ahead(stream_->judge, slot);
-    for (; undecided != 0; undecided &= undecided - 1) {
-      const auto lane = static_cast<uint32_t>(__builtin_ctz(undecided));
-      const uint32_t other = particles_.slot[j + lane];
-      fetch_ahead(stream_->judge, other);
-      note_undecided(stream_, {next + __builtin_popcount(found & ((1u << lane) - 1u)), slot, other, image});
-    }
-    return next;
-  }
-
-  const PointArrays &points_;
   const CellTable &cells_;
-  const PointArrays &particles_;
-  PairStream *stream_;
   F inverse_[3], width_[3], last_[3];
   Part part_[kParts];
-  Ranges ranges_;
 };
 
 template <class V, int D, class Rule>

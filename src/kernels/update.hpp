@@ -17,6 +17,9 @@ constexpr size_t kFetchAhead = 48;  // points whose centres are on their way fro
 // Coordinates are cut off there: beyond, a particle is farther from any place in the frame than a skin reaches.
 constexpr double kLow = -0x1p29, kSpan = 0x1p31 - 1;
 
+// Places likewise. A multiple of 2^32, so that adding it leaves coordinates what they are.
+constexpr double kFarthest = 0x1p49;
+
 // How far two conversions of a radius to float may be off, relative to it; docs/theory/exactness.md.
 constexpr float kGrowthError = 0x1p-21f;
 
@@ -29,7 +32,13 @@ class UpdateBlock {
   bool run(size_t at, size_t count, Point *points) {
     load(at, count);
     for (float &d2 : moved2_) d2 = 0;
-    for (int axis = 0; axis < D; axis++) update_axis(axis);
+    for (int axis = 0; axis < D; axis++) {
+      if (input_.place[axis] == nullptr) {
+        update_axis(axis);
+      } else {
+        update_far_axis(axis, at, count);
+      }
+    }
     for (float &room : room_) room = input_.room;
     if (input_.radii != nullptr) grow();
     int32_t beyond = 0;
@@ -94,6 +103,31 @@ class UpdateBlock {
     for (size_t i = 0; i < kUpdateBlock; i++) {
       const float moved = static_cast<float>(fixed[i] - start[i]);
       moved2[i] += moved * moved;
+    }
+  }
+
+  // The same where coordinates wrap and so do not tell how far a particle has moved: places do.
+  void update_far_axis(int axis, size_t at, size_t count) {
+    double *__restrict position = position_[axis];
+    double start[kUpdateBlock];
+    for (size_t i = 0; i < kUpdateBlock; i++) start[i] = input_.place[axis][at + (i < count ? i : 0)];
+    const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
+    const double low = input_.map.box_min[axis], length = input_.map.length[axis];
+    if (length > 0) {
+      for (size_t i = 0; i < kUpdateBlock; i++) position[i] = place_in_box(position[i], low, length);
+    }
+    for (size_t i = 0; i < kUpdateBlock; i++) {
+      const double place = to_quanta(position[i], half_origin, scale);
+      position[i] = place > -kFarthest ? (place < kFarthest ? place : kFarthest) : -kFarthest;
+    }
+    if (length > 0) {
+      const double period = input_.map.period_place(axis);
+      for (size_t i = 0; i < kUpdateBlock; i++) position[i] += period * boxes_back(position[i] - start[i], period);
+    }
+    for (size_t i = 0; i < kUpdateBlock; i++) {
+      fixed_[axis][i] = low_word(to_whole(position[i] + kFarthest));
+      const float moved = static_cast<float>(position[i] - start[i]);
+      moved2_[i] += moved * moved;
     }
   }
 

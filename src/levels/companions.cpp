@@ -25,12 +25,13 @@ uint64_t cell_number(const double *center, const FixedPoint &map, int dimension,
 
 double estimate_companions(const ParticleStore &store, const FixedPoint &map, int dimension, const CellTable &cells,
                            const RadiusRange &radii, size_t particles) {
-  const size_t stride = (particles + kSample - 1) / kSample;
+  const size_t count = store.slots(), looked_at = std::min(count, kSample);
   uint64_t sample[kSample];
-  size_t seen = 0, sampled = 0;
-  for (size_t slot = 0; slot < store.slots(); slot++) {
+  size_t sampled = 0;
+  for (size_t n = 0; n < looked_at; n++) {
+    const size_t slot = n * count / looked_at;
     const double radius = store.radius(slot);
-    if (!(radius > radii.above && radius <= radii.up_to) || seen++ % stride != 0) continue;
+    if (!(radius > radii.above && radius <= radii.up_to)) continue;
     sample[sampled++] = cell_number(store.center(slot), map, dimension, cells);
   }
   if (sampled < 2) return 0;

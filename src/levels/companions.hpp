@@ -10,7 +10,7 @@
 namespace hg {
 
 // Beyond so many a widened table does not pay, and the level keeps sparse rows instead.
-inline constexpr double kMostCompanions = 40;
+inline constexpr double kMostCompanions = 4;
 
 // Radii above `above` and up to `up_to` belong to the level.
 struct RadiusRange {

@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Sparse rows are found by binary search and tested one candidate at a time, in doubles: so many times dearer. On
-// clusters, where levels are sparse, docs/evidence/performance.md.
-constexpr double kSparseRow = 3;
-constexpr double kSparseTest = 30;
-
 }  // namespace
 
 struct WorkCost::Level {
@@ -25,7 +20,6 @@ struct WorkCost::Level {
   double largest_radius;  // in quanta
   double row_width, cell_length;
   double rows;  // in all
-  bool sparse;
 };
 
 WorkCost::WorkCost(const SizeClasses &classes, const Interaction &interaction, const FixedPoint &map, int dimension,
@@ -65,10 +59,12 @@ WorkCost::Level WorkCost::level_of(const ClassRange &range) const {
     volume *= static_cast<double>(cells.table.width[axis]);
     edge = std::max(edge, static_cast<double>(cells.table.width[axis]));
   }
-  level.sparse = cells.widened && level.particles * density_.at(edge) * volume > kMostCompanions;
-  if (level.sparse) {
-    level.row_width = std::max(interaction_.diameter(largest) * map_.scale, 1.0);
-    level.cell_length = 0;
+  const bool uneven = cells.widened && level.particles * density_.at(edge) * volume > kMostCompanions;
+  if (uneven) {
+    // As chunks of rows are laid.
+    const double diameter = interaction_.diameter(largest) * map_.scale;
+    level.row_width = std::max(kRowWidth * diameter, 1.0);
+    level.cell_length = kCellLength * diameter;
     level.rows = level.particles;  // at most
   }
   return level;
@@ -106,14 +102,12 @@ void WorkCost::add_search(const Level &searcher, const Level &target, bool own, 
   const double density = target.particles * density_.at(2 * w[1] + width);
   const double tests = std::min(volume * density, target.particles);
   const double share = searcher.particles / particles_;
-  const double met = std::min(rows, target.rows) * (target.sparse ? kSparseRow : 1);
-  const double tested = tests * (target.sparse ? kSparseTest : 1);
   if (own) {
-    work.rows += target.sparse ? share * 0.5 * met : 0;  // of a table they are few, and the same whatever the levels
-    work.tests += share * 0.5 * tested;                  // the other half is met from the other side
+    // Rows are few here, and the same whatever the levels; half of the tests are met from the other side.
+    work.tests += share * 0.5 * tests;
   } else {
-    work.rows += share * met;
-    work.tests += share * tested;
+    work.rows += share * std::min(rows, target.rows);
+    work.tests += share * tests;
   }
 }
 

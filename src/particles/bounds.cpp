@@ -23,18 +23,26 @@ double sum_of_radii(const ParticleStore &store, int threads) {
 
 }  // namespace
 
-Bounds bounds_of(const ParticleStore &store, const Domain &domain, int threads) {
+Bounds spread_of(const ParticleStore &store, const Domain &domain) {
   Bounds bounds;
+  if (store.slots() == 0) return bounds;
+  bounds.max_radius = store.summary().radius.greatest;
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    const Interval &centers = store.summary().center[axis];
+    bounds.min[axis] = domain.periodic[axis] ? 0 : centers.least;
+    bounds.max[axis] = domain.periodic[axis] ? domain.length[axis] : centers.greatest;
+  }
+  return bounds;
+}
+
+Bounds bounds_of(const ParticleStore &store, const Domain &domain, int threads) {
+  Bounds bounds = spread_of(store, domain);
   const size_t count = store.slots();
   if (count == 0) return bounds;
-  const InputSummary &all = store.summary();
-  bounds.max_radius = all.radius.greatest;
   // Not the outermost surfaces, which one giant may set, but the outermost centres and a mean particle around them.
   const double mean_diameter = 2 * (sum_of_radii(store, threads) / static_cast<double>(count));
   for (int axis = 0; axis < domain.dimension; axis++) {
-    const Interval &centers = all.center[axis];
-    bounds.min[axis] = domain.periodic[axis] ? 0 : centers.least;
-    bounds.max[axis] = domain.periodic[axis] ? domain.length[axis] : centers.greatest;
+    const Interval &centers = store.summary().center[axis];
     bounds.width[axis] =
         domain.length[axis] > 0 ? domain.length[axis] : centers.greatest - centers.least + mean_diameter;
   }

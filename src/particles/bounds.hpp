@@ -8,6 +8,8 @@
 
 namespace hg {
 
+// Without their widths.
+Bounds spread_of(const ParticleStore &store, const Domain &domain);
 // The same whatever the number of threads.
 Bounds bounds_of(const ParticleStore &store, const Domain &domain, int threads);
 

@@ -4,7 +4,8 @@
 
 #include "src/exact/fast_test.hpp"
 #include "src/pairs/undecided_pairs.hpp"
-#include "src/search/sparse_search.hpp"
+#include "src/search/chunk_pairs.hpp"
+#include "src/search/giant_pairs.hpp"
 
 #include <limits>
 
@@ -44,8 +45,10 @@ bool PairSearch::send(size_t n, const PointArrays &particles, const PointArrays 
   const bool own_level = task.level == task.target && !task.images;
   const SearchKernel &kernel = active_kernels().search[index_.domain.dimension - 2][index_.interaction.kind];
   bool go_on;
-  if (target.sparse) {
-    go_on = SparseSearch(index_, store_, overlap_, points, particles, stream).run(task, own_level);
+  if (index_.chunked && index_.chunks.level(task.level).giants) {
+    go_on = GiantPairs(index_, store_, overlap_, points, particles, stream).run(task);
+  } else if (index_.chunked) {
+    go_on = ChunkPairs(index_, points, particles, stream).run(task);
   } else if (own_level) {
     go_on = kernel.own_level(points, task.begin, task.end, target.cells, &stream);
   } else {

@@ -11,12 +11,16 @@ namespace {
 
 constexpr double kTaskRows = 16384;  // rows of cells that a task visits, about
 
-// How many rows of `target` a particle of `level` visits.
-double rows_visited(const IndexLevel &level, const IndexLevel &target, int dimension) {
-  if (target.sparse) return 9;
+// How many rows of level k a particle of level h visits.
+double rows_visited(const Index &index, int h, int k) {
+  const IndexLevel &level = index.levels[h], &target = index.levels[k];
   const double reach = static_cast<double>(level.cells.largest_radius) + target.cells.largest_radius;
   double rows = 1;
-  for (int axis = 1; axis < dimension; axis++) {
+  for (int axis = 1; axis < index.domain.dimension; axis++) {
+    if (index.chunked) {
+      rows *= 2 * reach / index.chunks.level(k).row_width + 1.0;
+      continue;
+    }
     rows *= std::min(2 * reach / static_cast<double>(target.cells.width[axis]) + 1.0,
                      static_cast<double>(target.cells.count[axis]));
   }
@@ -26,7 +30,7 @@ double rows_visited(const IndexLevel &level, const IndexLevel &target, int dimen
 }  // namespace
 
 void SearchTasks::add(const Index &index, int level, int target, bool images, uint32_t begin, uint32_t end) {
-  const double rows = rows_visited(index.levels[level], index.levels[target], index.domain.dimension);
+  const double rows = rows_visited(index, level, target);
   const double wanted = std::clamp(kTaskRows / rows, 1.0, kTaskRows);
   const uint32_t step = (static_cast<uint32_t>(wanted) + kBlock - 1) / kBlock * kBlock;
   while (begin < end) {

@@ -36,7 +36,7 @@ class SphereSearch {
       const IndexLevel &level = index_.levels[h];
       if (level.is_empty()) continue;
       for (Image image = 0; image < kImages; image++) {
-        if (is_possible(image)) search(level, image);
+        if (is_possible(image)) search(h, image);
       }
     }
     std::sort(ids_.data(), ids_.data() + count_);
@@ -55,19 +55,33 @@ class SphereSearch {
     return true;
   }
 
-  void search(const IndexLevel &level, Image image) {
+  void search(int h, Image image) {
+    const IndexLevel &level = index_.levels[h];
     const double reach = index_.interaction.reach(sphere_.radius, level.largest_radius);
     const SearchBox box = SearchBox::around(index_.domain, sphere_.center, image, reach);
     if (box.misses(index_.domain)) return;
-    if (level.sparse) {
-      index_.sparse.visit_box(level.rows, index_.domain.dimension, box.low, box.high,
-                              [&](uint32_t begin, uint32_t end) {
-                                test(begin, end, image);
-                                return true;
-                              });
+    if (index_.chunked) {
+      search_chunks(index_.chunks.level(h), box, image);
     } else {
       search_cells(level.cells, box, image);
     }
+  }
+
+  void search_chunks(const ChunkLevel &level, const SearchBox &box, Image image) {
+    PlaceBox places;
+    for (int axis = 0; axis < index_.domain.dimension; axis++) {
+      places.low[axis] = place(axis, box.low[axis]);
+      places.high[axis] = place(axis, box.high[axis]);
+    }
+    index_.chunks.visit_box(level, places, [&](size_t chunk, const double *) {
+      test(index_.chunks.chunk_begin(chunk), index_.chunks.chunk_end(chunk), image);
+      return true;
+    });
+  }
+
+  double place(int axis, double x) const {
+    const bool squeezed = index_.squeezed.in_use() && !index_.domain.periodic[axis];
+    return index_.map.quanta(axis, squeezed ? index_.squeezed.position(axis, x) : x);
   }
 
   // Eqs. 4 and 5, row by row.

@@ -54,7 +54,13 @@ class CandidateSearch final : public PairSearch {
 }  // namespace
 
 StoredCandidates::StoredCandidates(Memory &memory, int threads)
-    : threads_(threads), list_(memory), points_(memory), slot_(memory), original_(memory), point_of_slot_(memory) {}
+    : threads_(threads),
+      list_(memory),
+      points_(memory),
+      place_{Buffer<double>(memory), Buffer<double>(memory), Buffer<double>(memory)},
+      slot_(memory),
+      original_(memory),
+      point_of_slot_(memory) {}
 
 bool StoredCandidates::collect(const Index &index, const SearchTasks &tasks, const ParticleStore &store,
                                const Interaction &interaction, PairPool &pool, SearchCounts &counts) {
@@ -63,6 +69,8 @@ bool StoredCandidates::collect(const Index &index, const SearchTasks &tasks, con
   image_count_ = index.image_count();
   const size_t count = particle_count_ + image_count_;
   if (count > static_cast<size_t>(std::numeric_limits<int32_t>::max())) return false;
+  // Squeezed places say nothing of where a particle has moved, coordinates nothing of distances between giants.
+  if (index.squeezed.in_use() || (index.chunked && index.chunks.has_giants())) return false;
   index_ = &index;
   interaction_ = interaction;
   const double skin = index.interaction.margin - interaction.margin;
@@ -112,6 +120,15 @@ void StoredCandidates::set_points(const ParticleStore &store) {
       points_[p] = {from.x[p], from.y[p], flat ? 0 : from.z[p], radius};
     }
   });
+  if (!index_->chunked) return;
+  for (int axis = 0; axis < index_->domain.dimension; axis++) {
+    place_[axis].require_room(particle_count_);
+    for (size_t p = 0; p < particle_count_; p++) place_[axis][p] = place_of(p, axis, store);
+  }
+}
+
+double StoredCandidates::place_of(size_t p, int axis, const ParticleStore &store) const {
+  return index_->map.quanta_of_center(axis, store.center(slot_[p])[axis]);
 }
 
 bool StoredCandidates::update(const ParticleStore &store, bool radii) {
@@ -124,15 +141,18 @@ bool StoredCandidates::update(const ParticleStore &store, bool radii) {
 
 bool StoredCandidates::update_particles(const ParticleStore &store, bool radii) {
   const PointStore &start = index_->particles;
-  const UpdateInput input{store.centers(),
-                          radii ? store.radii() : nullptr,
-                          slot_.data(),
-                          {start.x.data(), start.y.data(), start.z.data()},
-                          start.radius.data(),
-                          index_->map,
-                          interaction_.folded_radius(0),
-                          index_->interaction.folded_radius(0),
-                          room_};
+  UpdateInput input{store.centers(),
+                    radii ? store.radii() : nullptr,
+                    slot_.data(),
+                    {start.x.data(), start.y.data(), start.z.data()},
+                    {nullptr, nullptr, nullptr},
+                    start.radius.data(),
+                    index_->map,
+                    interaction_.folded_radius(0),
+                    index_->interaction.folded_radius(0),
+                    room_};
+  for (int axis = 0; index_->chunked && axis < index_->domain.dimension; axis++)
+    input.place[axis] = place_[axis].data();
   UpdateKernel *kernel = active_kernels().update[index_->domain.dimension - 2];
   std::atomic<bool> all_near{true};
   for_parts([&](size_t begin, size_t end) {
@@ -147,9 +167,9 @@ void StoredCandidates::update_images() {
   for (size_t m = 0; m < image_count_; m++) {
     const Image image = index_->images.image[m];
     Point point = points_[original_[m]];
-    point.x += image_step(image, 0) * period[0];
-    point.y += image_step(image, 1) * period[1];
-    point.z += image_step(image, 2) * period[2];
+    point.x = moved_by(point.x, image_step(image, 0), period[0]);
+    point.y = moved_by(point.y, image_step(image, 1), period[1]);
+    point.z = moved_by(point.z, image_step(image, 2), period[2]);
     points_[particle_count_ + m] = point;
   }
 }
@@ -161,6 +181,11 @@ void StoredCandidates::boxes_outside(size_t p, const ParticleStore &store, int *
   for (int axis = 0; axis < 3; axis++) {
     boxes[axis] = 0;
     if (!index_->domain.periodic[axis]) continue;
+    if (index_->chunked) {
+      const double moved = place_of(p, axis, store) - place_[axis][p];
+      boxes[axis] = static_cast<int>(boxes_back(moved, index_->map.period_place(axis)));
+      continue;
+    }
     const int32_t inside = index_->map.coordinate(axis, store.center(slot_[p])[axis]);
     boxes[axis] = static_cast<int>(std::nearbyint(static_cast<double>(here[axis] - inside) / index_->map.period[axis]));
   }

@@ -57,6 +57,7 @@ class StoredCandidates {
   void set_points(const ParticleStore &store);
   bool update_particles(const ParticleStore &store, bool radii);
   void update_images();
+  double place_of(size_t p, int axis, const ParticleStore &store) const;
   void boxes_outside(size_t p, const ParticleStore &store, int *boxes) const;
   bool see_from(const int *ball_boxes, size_t p, Image &image, const ParticleStore &store) const;
 
@@ -69,6 +70,7 @@ class StoredCandidates {
   size_t particle_count_ = 0, image_count_ = 0;
   PairList list_;
   Buffer<Point> points_;
+  Buffer<double> place_[3];         // of each particle at first, where coordinates wrap
   Buffer<uint32_t> slot_;           // of each point
   Buffer<uint32_t> original_;       // of each image: the particle that it is an image of, as a point
   Buffer<uint32_t> point_of_slot_;  // while originals are found

@@ -9,6 +9,7 @@
 #include "src/space/bounds.hpp"
 
 #include <cstdint>
+#include <cstring>
 
 namespace hg {
 
@@ -28,6 +29,31 @@ static inline int32_t floor_within(double quanta, double low, double span) {
   return static_cast<int32_t>(positive < span ? positive : span) + static_cast<int32_t>(low);
 }
 
+// Whole quanta as doubles, for 0 <= quanta < 2^51: rounded to an integer, its bits, and the lowest 32 of them.
+static inline double to_whole(double quanta) { return (quanta + 0x1p52) - 0x1p52; }
+static inline uint64_t whole_bits(double whole) {
+  const double with_mark = whole + 0x1p52;
+  uint64_t bits = 0;
+  std::memcpy(&bits, &with_mark, sizeof bits);
+  return bits & ((uint64_t{1} << 52) - 1);
+}
+static inline int32_t low_word(double whole) { return static_cast<int32_t>(static_cast<uint32_t>(whole_bits(whole))); }
+
+// Of coordinates that wrap, of points that are near.
+static inline int32_t near_difference(int32_t x, int32_t y) {
+  return static_cast<int32_t>(static_cast<uint32_t>(x) - static_cast<uint32_t>(y));
+}
+
+// Wrapping, as the coordinates of such a map do.
+static inline int32_t moved_by(int32_t x, int step, int32_t period) {
+  return static_cast<int32_t>(static_cast<uint32_t>(x) + static_cast<uint32_t>(step) * static_cast<uint32_t>(period));
+}
+
+// The period, -1, 0 or 1 times, that brings a particle back to the image nearest to where it was.
+static inline double boxes_back(double moved, double period) {
+  return moved > 0.5 * period ? -1.0 : (moved < -0.5 * period ? 1.0 : 0.0);
+}
+
 // Plain numbers, for the kernels too.
 struct FixedPoint {
   double scale = 1;                   // quanta per length: a power of two, so scaling rounds nothing
@@ -40,12 +66,27 @@ struct FixedPoint {
   // `least_extent`: a length that must be well resolved even if the centres coincide; finite.
   static FixedPoint over(const Bounds &bounds, const Domain &domain, double least_extent);
 
+  // For a space that is mostly empty: coordinates are the lowest 32 bits of places up to 2^48 quanta, fine enough for
+  // particles of diameter `largest` to be 2^26 quanta wide if the extents allow it. Differences of near points are
+  // exact; points that are not near must not be compared. Particles lie up to `most_wraps` boxes outside a periodic
+  // box.
+  static FixedPoint wrapping(const Bounds &bounds, const Domain &domain, double largest, double most_wraps);
+
   double quanta(int axis, double position) const { return to_quanta(position, half_origin[axis], scale); }
+  double quanta_of_center(int axis, double center) const {
+    return quanta(axis, length[axis] > 0 ? place_in_box(center, box_min[axis], length[axis]) : center);
+  }
   // Of a centre within the bounds: at most one quantum off.
   int32_t coordinate(int axis, double center) const {
-    const double position = length[axis] > 0 ? place_in_box(center, box_min[axis], length[axis]) : center;
-    return floor_within(quanta(axis, position), 0, kFixedPointQuanta - 1);
+    return floor_within(quanta_of_center(axis, center), 0, kFixedPointQuanta - 1);
   }
+  // Of a map that wraps: whole quanta, of which the coordinate is the lowest 32 bits.
+  double place(int axis, double center) const { return to_whole(quanta_of_center(axis, center)); }
+  // Of a map that wraps: a period as a place, of which period[axis] are the lowest 32 bits.
+  double period_place(int axis) const { return to_whole(length[axis] * scale); }
+
+ private:
+  void set_axes(const Bounds &bounds, const Domain &domain);
 };
 
 }  // namespace hg

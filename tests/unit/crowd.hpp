@@ -20,7 +20,7 @@ namespace hgtest {
 struct CrowdShape {
   int dimension = 3;
   bool periodic = false;
-  bool outlier = false;  // one particle far away, which makes levels sparse
+  bool outlier = false;  // one particle far away, which makes the index chunked
   size_t count = 0;
   hg::Interaction interaction;
   double skin = 0;  // by which the reach of the index is wider

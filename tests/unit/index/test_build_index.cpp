@@ -42,6 +42,8 @@ class Scene {
       }
       hg::build_index(index_, scratch_, store_, plan_, rng_.integer(1, 4));
       check_levels();
+      check_radii();
+      if (index_.chunked) continue;  // unit/index/test_chunk_rows.cpp
       check_places();
       for (int h = 0; h < index_.level_count; h++) check_cells(index_.levels[h]);
     }
@@ -119,13 +121,19 @@ class Scene {
       for (int axis = 0; axis < domain_.dimension; axis++) {
         require_place(index_.map, domain_, axis, center[axis], points.column(axis)[i]);
       }
+    }
+  }
+
+  void check_radii() {
+    const hg::PointStore &points = index_.particles;
+    for (uint32_t i = 0; i < store_.slots(); i++) {
       const double folded = interaction_.folded_radius(store_.radius(points.slot[i])) * index_.map.scale;
       require(std::fabs(static_cast<double>(points.radius[i]) - folded) <= 0x1p-23 * folded, "radius of %u", i);
     }
   }
 
   void check_cells(const IndexLevel &level) {
-    if (level.begin == level.end || level.sparse) return;
+    if (level.begin == level.end) return;
     const hg::CellTable &table = level.cells;
     const auto count_x = static_cast<size_t>(table.count[0]), count_y = static_cast<size_t>(table.count[1]);
     const size_t cells = count_x * count_y * static_cast<size_t>(table.count[2]);
@@ -158,7 +166,7 @@ void check_scene(uint64_t seed) {
 
 void any_scenes(void **) { assert_true(sweep(120, check_scene)); }
 
-// One particle far away must not cost memory: cells stay bounded, the crowd goes to sparse rows.
+// One particle far away must not cost memory: cells stay bounded, the crowd goes to chunks of rows.
 void check_outlier(uint64_t) {
   hg::Memory memory(hg::system_allocator());
   Index index(memory, open_space(3), {});
@@ -172,7 +180,7 @@ void check_outlier(uint64_t) {
   const double size = 1;
   index.map = hg::FixedPoint::over(hg::bounds_of(store, index.domain, 1), index.domain, size);
   hg::build_index(index, scratch, store, hg::user_levels(&size, 1, index.interaction), 1);
-  require(index.levels[0].sparse, "20000 particles in one cell");
+  require(index.chunked, "20000 particles in one cell");
   require(memory.bytes() < int64_t{20000} * 200, "%lld bytes", static_cast<long long>(memory.bytes()));
 }
 

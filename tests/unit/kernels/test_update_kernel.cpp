@@ -45,6 +45,7 @@ struct Points {
             with_radii ? radii.data() : nullptr,
             slot.data(),
             {x[0].data(), x[1].data(), x[2].data()},
+            {nullptr, nullptr, nullptr},
             radius.data(),
             map,
             extra,

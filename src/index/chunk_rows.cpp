@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/index/chunk_rows.hpp"
+
+#include "src/base/radix_sort.hpp"
+#include "src/space/level_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hg {
+namespace {
+
+constexpr double kMostAlongAxis = 0x1p28;  // rows, layers, chunks of a level, so that numbers fit
+
+// The shortest length >= x that is whole and exact in float.
+double whole_float(double x) {
+  const double whole = std::ceil(x);
+  auto rounded = static_cast<float>(whole);
+  if (static_cast<double>(rounded) < whole) rounded = std::nextafter(rounded, std::numeric_limits<float>::infinity());
+  return static_cast<double>(rounded);
+}
+
+int bit_width(uint64_t n) { return n == 0 ? 0 : 64 - __builtin_clzll(n); }
+
+// On what a search must allow for see docs/theory/exactness.md, section 12.
+constexpr double kLeastSlack = 256;
+constexpr double kSlackPerCell = 0x1p-16;
+
+}  // namespace
+
+// False if a level's cells are much wider than its particles ask for, as its space is so wide.
+bool ChunkRows::lay(const ChunkInput &input, const Sizes &sizes) {
+  level_count_ = sizes.level_count;
+  uint64_t next_layer = 1;
+  double cells = 1, rows = 1;
+  bool fits = true;
+  for (int h = 0; h < level_count_; h++) {
+    ChunkLevel &level = levels_[h];
+    double extent[3], longest = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      extent[axis] = level.space.high[axis] - level.space.low[axis];
+      longest = std::max(longest, extent[axis]);
+    }
+    const double diameter = sizes.diameter[h] * input.map.scale, least = longest / kMostAlongAxis;
+    fits = fits && least <= std::max(kCellLength * diameter, kLeastSlack);
+    level.giants = diameter >= kGiantDiameter;
+    level.cell = whole_float(std::max(kCellLength * diameter + kLeastSlack, least));
+    level.slack = kLeastSlack + kSlackPerCell * level.cell;
+    level.row_width = whole_float(std::max(kRowWidth * diameter + 4 * level.slack, least));
+    level.first_layer = next_layer;
+    level.layers = static_cast<uint64_t>(std::floor(extent[2] / level.row_width)) + 1;
+    next_layer += level.layers + 1;
+    cells = std::max(cells, std::floor(extent[0] / level.cell) + 1);
+    rows = std::max(rows, std::floor(extent[1] / level.row_width) + 1);
+  }
+  cell_bits_ = bit_width(static_cast<uint64_t>(cells) + 1);
+  row_bits_ = bit_width(static_cast<uint64_t>(rows) + 3);
+  layer_bits_ = bit_width(next_layer);
+  return fits;
+}
+
+// The space that the particles of each level take.
+void ChunkRows::find_spaces(const ChunkInput &input, const Sizes &sizes, int dimension, size_t count) {
+  bool any[HG_MAX_LEVELS] = {};
+  for (size_t slot = 0; slot < count; slot++) {
+    const double *limit = sizes.radius_limit;
+    const auto h = static_cast<size_t>(std::lower_bound(limit, limit + level_count_ - 1, input.radii[slot]) - limit);
+    PlaceBox &space = levels_[h].space;
+    for (int axis = 0; axis < dimension; axis++) {
+      const size_t at = slot * static_cast<size_t>(dimension) + static_cast<size_t>(axis);
+      const double place = input.map.place(axis, input.centers[at]);
+      space.low[axis] = any[h] ? std::min(space.low[axis], place) : place;
+      space.high[axis] = any[h] ? std::max(space.high[axis], place) : place;
+    }
+    any[h] = true;
+  }
+  for (int h = 0; h < level_count_; h++) {
+    if (!any[h]) levels_[h].space = {};
+  }
+}
+
+void ChunkRows::build(ChunkInput input, const Sizes &sizes, int dimension, size_t count, uint32_t *slot,
+                      ChunkScratch &scratch) {
+  for (int h = 0; h < sizes.level_count; h++) {
+    levels_[h] = ChunkLevel{};
+    for (int axis = 0; axis < dimension; axis++) levels_[h].space.high[axis] = to_whole(input.map.extent[axis]);
+  }
+  if (!lay(input, sizes)) {
+    find_spaces(input, sizes, dimension, count);
+    lay(input, sizes);
+  }
+  ChunkLevelKey levels[HG_MAX_LEVELS];
+  for (int h = 0; h < level_count_; h++) {
+    const ChunkLevel &level = levels_[h];
+    levels[h] = {sizes.radius_limit[h],
+                 1 / level.cell,
+                 1 / level.row_width,
+                 {level.space.low[0], level.space.low[1], level.space.low[2]},
+                 level.first_layer};
+  }
+  input.level_count = level_count_;
+  input.levels = levels;
+  input.row_bits = row_bits_;
+  scratch.keys.require_room(count);
+  active_kernels().chunk_build[dimension - 2].find_keys(input, 0, count, scratch.keys.data());
+  const ChunkKey *keys = sort(scratch, count);
+  list_chunks(keys, count, slot, scratch);
+  number_units(scratch);
+  fill_cells(keys, count, scratch);
+  list_layers(scratch);
+  set_origins();
+  link_rows(dimension, scratch);
+}
+
+// By row, then by cell.
+const ChunkKey *ChunkRows::sort(ChunkScratch &scratch, size_t count) const {
+  const int slot_bits = bit_width(count);
+  if (layer_bits_ + row_bits_ + cell_bits_ + slot_bits <= 64) return sort_packed(scratch, count, slot_bits);
+  scratch.other_keys.require_room(count);
+  ChunkKey *keys = scratch.keys.data(), *other = scratch.other_keys.data();
+  ChunkKey *by_cell = radix_sort(keys, other, count, cell_bits_, [](const ChunkKey &key) { return key.cell; });
+  return radix_sort(by_cell, by_cell == keys ? other : keys, count, row_bits_ + layer_bits_,
+                    [](const ChunkKey &key) { return key.row; });
+}
+
+// The same with half of the memory to move.
+const ChunkKey *ChunkRows::sort_packed(ChunkScratch &scratch, size_t count, int slot_bits) const {
+  ChunkKey *keys = scratch.keys.data();
+  scratch.packed.require_room(2 * count);
+  uint64_t *packed = scratch.packed.data();
+  for (size_t i = 0; i < count; i++) {
+    packed[i] = (keys[i].row << cell_bits_ | keys[i].cell) << slot_bits | keys[i].slot;
+  }
+  const uint64_t *sorted = radix_sort(packed, packed + count, count, layer_bits_ + row_bits_ + cell_bits_,
+                                      [slot_bits](uint64_t key) { return key >> slot_bits; });
+  const uint64_t slots = (uint64_t{1} << slot_bits) - 1, cells = (uint64_t{1} << cell_bits_) - 1;
+  for (size_t i = 0; i < count; i++) {
+    const uint64_t place = sorted[i] >> slot_bits;
+    keys[i] = {place >> cell_bits_, static_cast<uint32_t>(place & cells), static_cast<uint32_t>(sorted[i] & slots)};
+  }
+  return keys;
+}
+
+// Without a branch for where a chunk or a row begins: what is not yet its place is written over.
+void ChunkRows::list_chunks(const ChunkKey *keys, size_t count, uint32_t *slot, ChunkScratch &scratch) {
+  chunk_of_.require_room(count + kPadding);
+  chunk_x_.require_room(count + kPadding);
+  chunk_row_.require_room(count);
+  row_chunk_.require_room(count + 1);
+  scratch.row_key.require_room(count + 3);
+  uint64_t row_before = ~uint64_t{0};
+  uint32_t x_before = 0, chunk = 0, row = 0;  // one more than the number of the last one
+  for (size_t i = 0; i < count; i++) {
+    const ChunkKey &key = keys[i];
+    const uint32_t x = key.cell / kChunkCells;
+    const uint32_t new_row = key.row != row_before ? 1 : 0;
+    const uint32_t new_chunk = new_row | (x != x_before ? 1u : 0u);
+    row += new_row;
+    chunk += new_chunk;
+    scratch.row_key[row - 1] = key.row;
+    chunk_x_[chunk - 1] = static_cast<int32_t>(x);
+    chunk_row_[chunk - 1] = row - 1;
+    chunk_of_[i] = chunk - 1;
+    slot[i] = key.slot;
+    row_before = key.row;
+    x_before = x;
+  }
+  chunks_ = chunk;
+  rows_ = row;
+  for (size_t i = 0; i < kPadding; i++) {
+    chunk_of_[count + i] = 0;
+    chunk_x_[chunks_ + i] = 0;
+  }
+  for (size_t i = 0; i < 3; i++) scratch.row_key[rows_ + i] = ~uint64_t{0};
+  for (uint32_t c = chunk; c-- > 0;) row_chunk_[chunk_row_[c]] = c;
+  row_chunk_[rows_] = chunk;
+}
+
+// Chunks side by side have units side by side; where one is missing between two, it gets a unit as if it were there.
+void ChunkRows::number_units(ChunkScratch &scratch) {
+  scratch.unit.require_room(chunks_);
+  chunk_cell_.require_room(chunks_ + kPadding);
+  uint32_t unit = 0;
+  for (size_t c = 0; c < chunks_; c++) {
+    const bool one_missing = c > 0 && chunk_row_[c] == chunk_row_[c - 1] && chunk_x_[c] == chunk_x_[c - 1] + 2;
+    unit += 1 + (one_missing ? 1 : 0);  // unit 0 is never used: a chunk before the first one's has a number
+    scratch.unit[c] = unit;
+    chunk_cell_[c] = static_cast<int32_t>(unit * kChunkCells);
+  }
+  cells_ = (static_cast<size_t>(unit) + 3) * kChunkCells;
+}
+
+void ChunkRows::fill_cells(const ChunkKey *keys, size_t count, const ChunkScratch &scratch) {
+  cell_begin_.require_room(cells_ + kPadding);
+  uint32_t *begin = cell_begin_.data();
+  std::fill(begin, begin + cells_ + kPadding, 0u);
+  for (size_t i = 0; i < count; i++) {
+    const size_t unit = scratch.unit[chunk_of_[i]];
+    begin[unit * kChunkCells + keys[i].cell % kChunkCells + 1] = static_cast<uint32_t>(i + 1);
+  }
+  uint32_t greatest = 0;
+  for (size_t c = 0; c < cells_ + kPadding; c++) begin[c] = greatest = std::max(greatest, begin[c]);
+}
+
+void ChunkRows::list_layers(const ChunkScratch &scratch) {
+  const uint64_t *key = scratch.row_key.data();
+  const uint64_t mask = (uint64_t{1} << row_bits_) - 1;
+  layer_.require_room(rows_);
+  layer_row_.require_room(rows_ + 1);
+  row_y_.require_room(rows_);
+  layers_ = 0;
+  for (size_t row = 0; row < rows_; row++) {
+    const uint64_t layer = key[row] >> row_bits_;
+    if (row == 0 || layer != layer_[layers_ - 1]) {
+      layer_[layers_] = layer;
+      layer_row_[layers_++] = row;
+    }
+    row_y_[row] = static_cast<uint32_t>(key[row] & mask) - 1;
+  }
+  layer_row_[layers_] = rows_;
+  size_t layer = 0;
+  for (int h = 0; h < level_count_; h++) {
+    ChunkLevel &level = levels_[h];
+    level.first = layer;
+    while (layer < layers_ && layer_[layer] < level.first_layer + level.layers) layer++;
+    level.end = layer;
+  }
+}
+
+void ChunkRows::set_origins() {
+  origin_x_.require_room(chunks_);
+  origin_y_.require_room(chunks_);
+  origin_z_.require_room(chunks_);
+  for (int h = 0; h < level_count_; h++) {
+    const ChunkLevel &level = levels_[h];
+    if (level.giants) continue;
+    for (size_t layer = level.first; layer < level.end; layer++) {
+      const int32_t z = low_word(level.corner_z(layer_[layer]));
+      for (size_t row = layer_row_[layer]; row < layer_row_[layer + 1]; row++) {
+        const int32_t y = low_word(level.corner_y(row_y_[row]));
+        for (size_t c = row_chunk_[row]; c < row_chunk_[row + 1]; c++) {
+          origin_x_[c] = low_word(level.corner_x(chunk_x_[c]));
+          origin_y_[c] = y;
+          origin_z_[c] = z;
+        }
+      }
+    }
+  }
+}
+
+// Rows are sorted, so the neighbours of all rows in the next layer are met by one walk.
+void ChunkRows::link_rows(int dimension, ChunkScratch &scratch) {
+  for (auto &word : word_) word.require_room(chunks_ + kPadding);
+  for (int n = 1; n < kStencilRows; n++) std::fill(word_[n].data(), word_[n].data() + chunks_, ChunkWord::kNone);
+  link_own_row(scratch);
+  const uint64_t *key = scratch.row_key.data();
+  size_t next = 0;
+  for (size_t row = 0; row < rows_; row++) {
+    if (key[row + 1] == key[row] + 1) link_row(row, 1, row + 1, scratch);
+    if (dimension == 2) continue;
+    const uint64_t first = key[row] + (uint64_t{1} << row_bits_) - 1;
+    while (next < rows_ && key[next] < first) next++;
+    for (size_t n = next; n < next + 3; n++) {
+      if (key[n] - first < 3) link_row(row, 2 + static_cast<int>(key[n] - first), n, scratch);
+    }
+  }
+}
+
+void ChunkRows::link_own_row(const ChunkScratch &scratch) {
+  for (size_t c = 0; c < chunks_; c++) {
+    const bool before = c > 0 && chunk_row_[c - 1] == chunk_row_[c] && chunk_x_[c - 1] + 1 == chunk_x_[c];
+    const bool after = c + 1 < chunks_ && chunk_row_[c + 1] == chunk_row_[c] && chunk_x_[c] + 1 == chunk_x_[c + 1];
+    word_[0][c] = static_cast<int32_t>(scratch.unit[c] * ChunkWord::kFlags) + (before ? 0 : 1) + 4 * (after ? 3 : 2);
+  }
+}
+
+void ChunkRows::link_row(size_t row, int stencil_row, size_t neighbor, const ChunkScratch &scratch) {
+  const size_t end = row_chunk_[neighbor + 1];
+  const int32_t *x = chunk_x_.data();
+  for (size_t c = row_chunk_[row]; c < row_chunk_[row + 1]; c++) {
+    const size_t at = lower_chunk(neighbor, x[c] - 1);
+    // Of the three from X - 1 to X + 1, which exist: those found at `at` and after it.
+    uint32_t exists = 0;
+    for (size_t n = at; n < at + 3; n++) {
+      const auto place = static_cast<uint32_t>(x[n] - (x[c] - 1));
+      exists |= n < end && place < 3 ? 1u << place : 0u;
+    }
+    if (exists == 0) continue;
+    const int first = __builtin_ctz(exists), last = bit_width(exists);
+    const auto unit = static_cast<int32_t>(scratch.unit[at]) + 1 - first;
+    word_[stencil_row][c] = unit * ChunkWord::kFlags + first + 4 * last;
+  }
+}
+
+// The first chunk of the row from x on.
+size_t ChunkRows::lower_chunk(size_t row, int32_t x) const {
+  const int32_t *first = chunk_x_.data() + row_chunk_[row];
+  size_t count = row_chunk_[row + 1] - row_chunk_[row];
+  while (count > 4) {
+    const size_t half = count / 2;
+    first += first[half - 1] < x ? half : 0;
+    count -= half;
+  }
+  size_t at = static_cast<size_t>(first - chunk_x_.data());
+  for (size_t n = 0; n < 4; n++) at += n < count && first[n] < x ? 1 : 0;
+  return at;
+}
+
+void ChunkRows::place_giants(const ChunkInput &input, const uint32_t *slot, uint32_t begin, size_t count,
+                             int dimension) {
+  giant_begin_ = begin;
+  giant_end_ = static_cast<uint32_t>(count);
+  for (int axis = 0; axis < dimension; axis++) {
+    giant_place_[axis].require_room(count - begin);
+    for (size_t i = begin; i < count; i++) {
+      const double center = input.centers[slot[i] * static_cast<size_t>(dimension) + static_cast<size_t>(axis)];
+      giant_place_[axis][i - begin] = input.map.place(axis, center);
+    }
+  }
+}
+
+ChunkTable ChunkRows::table(int h, float largest_radius) const {
+  const ChunkLevel &level = levels_[h];
+  ChunkTable table{};
+  table.row_width = static_cast<float>(level.row_width);
+  table.inverse_cell = static_cast<float>(1 / level.cell);
+  table.largest_radius = largest_radius;
+  table.slack = static_cast<float>(level.slack);
+  table.chunk_of = chunk_of_.data();
+  table.origin[0] = origin_x_.data();
+  table.origin[1] = origin_y_.data();
+  table.origin[2] = origin_z_.data();
+  for (int n = 0; n < kStencilRows; n++) table.word[n] = word_[n].data();
+  table.cell_begin = cell_begin_.data();
+  return table;
+}
+
+void ChunkRows::find_corner(const ChunkLevel &level, size_t chunk, double *corner) const {
+  const size_t row = chunk_row_[chunk], *first = layer_row_.data();
+  const size_t layer = static_cast<size_t>(std::upper_bound(first + level.first, first + level.end, row) - first) - 1;
+  corner[0] = level.corner_x(chunk_x_[chunk]);
+  corner[1] = level.corner_y(row_y_[row]);
+  corner[2] = level.corner_z(layer_[layer]);
+}
+
+void ChunkRows::find_place(const PointArrays &points, uint32_t particle, size_t chunk, const double *corner,
+                           int dimension, double *place) const {
+  const int32_t *x[3] = {points.x, points.y, points.z};
+  for (int axis = 0; axis < dimension; axis++) {
+    if (particle >= giant_begin_) {
+      place[axis] = giant_place(axis, particle);
+      continue;
+    }
+    place[axis] = corner[axis] + static_cast<double>(near_difference(x[axis][particle], origin(axis)[chunk]));
+  }
+}
+
+ChunkRows::Window ChunkRows::window_of(const ChunkLevel &level, const PlaceBox &box) const {
+  const double edge[3] = {level.chunk_length(), level.row_width, level.row_width};
+  Window window{};
+  for (int axis = 0; axis < 3; axis++) {
+    const double first = level.space.low[axis], last = level.space.high[axis];
+    window.first[axis] =
+        static_cast<uint64_t>((std::clamp(box.low[axis] - level.slack, first, last) - first) / edge[axis]);
+    window.last[axis] =
+        static_cast<uint64_t>((std::clamp(box.high[axis] + level.slack, first, last) - first) / edge[axis]);
+  }
+  window.first[2] += level.first_layer;
+  window.last[2] += level.first_layer;
+  return window;
+}
+
+size_t ChunkRows::first_layer(const ChunkLevel &level, const Window &window) const {
+  const uint64_t *all = layer_.data();
+  return static_cast<size_t>(std::lower_bound(all + level.first, all + level.end, window.first[2]) - all);
+}
+
+size_t ChunkRows::first_row(size_t layer, const Window &window) const {
+  const uint32_t *all = row_y_.data();
+  return static_cast<size_t>(std::lower_bound(all + layer_row_[layer], all + layer_row_[layer + 1], window.first_y()) -
+                             all);
+}
+
+size_t ChunkRows::first_chunk(size_t row, const Window &window) const {
+  return lower_chunk(row, static_cast<int32_t>(window.first[0]));
+}
+
+}  // namespace hg

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Particles that are so far apart that no grid of cells spans them: wherever nothing lies for several largest diameters
+// along an axis, the axis is cut short. Near particles keep their distances, others stay out of each other's reach.
+#pragma once
+
+#include "src/base/memory.hpp"
+#include "src/exact/domain.hpp"
+#include "src/particles/particle_store.hpp"
+#include "src/space/bounds.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hg {
+
+class SqueezedAxes {
+ public:
+  explicit SqueezedAxes(Memory &memory)
+      : centers_(memory),
+        sorted_(memory),
+        other_(memory),
+        runs_{Buffer<Run>(memory), Buffer<Run>(memory), Buffer<Run>(memory)} {}
+
+  // Squeezes all open axes so that no gap is longer than `gap`, and tells the bounds that centers() have then.
+  Bounds squeeze(const ParticleStore &store, const Domain &domain, double gap);
+  void release() { in_use_ = false; }
+
+  bool in_use() const { return in_use_; }
+  // Squeezed, slot by slot; as given on periodic axes.
+  const double *centers() const { return centers_.data(); }
+  // Of any position on an open axis; monotone.
+  double position(int axis, double x) const;
+
+ private:
+  // Particles along an axis without a long gap between them.
+  struct Run {
+    double begin, squeezed_begin;
+  };
+  struct Key {
+    uint64_t bits;
+    uint32_t slot;
+  };
+
+  double squeeze_axis(const ParticleStore &store, int axis, size_t dimension, double gap);
+
+  bool in_use_ = false;
+  Buffer<double> centers_;
+  Buffer<Key> sorted_, other_;
+  Buffer<Run> runs_[3];
+  size_t run_count_[3] = {0, 0, 0};
+};
+
+}  // namespace hg

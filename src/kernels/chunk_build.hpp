@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// The two passes of building chunks (index/chunk_rows.hpp) over the caller's particles: a key of each particle, by
+// which they are sorted, and then their points. Plain loops over blocks, as in build.hpp.
+#pragma once
+
+#include "src/kernels/kernel_set.hpp"
+
+#include <cstring>
+
+namespace hg {
+namespace {
+
+template <int D>
+class ChunkBlock {
+  static constexpr size_t kSize = 64;
+
+ public:
+  explicit ChunkBlock(const ChunkInput &input) : input_(input) {}
+
+  static constexpr size_t size() { return kSize; }
+
+  void find_keys(size_t at, size_t count, ChunkKey *keys) {
+    for (size_t i = 0; i < kSize; i++) load_one(i, at + (i < count ? i : 0));
+    for (int axis = 0; axis < D; axis++) to_places(axis);
+    choose_levels();
+    uint64_t number[3][kSize];
+    for (int axis = 0; axis < 3; axis++) {
+      const double *inverse = axis == 0 ? inverse_cell_ : inverse_width_;
+      for (size_t i = 0; i < kSize; i++) {
+        number[axis][i] = axis < D ? floor_bits((position_[axis][i] - low_[axis][i]) * inverse[i]) : 0;
+      }
+    }
+    const int row_bits = input_.row_bits;
+    for (size_t i = 0; i < count; i++) {
+      const uint64_t row = ((number[2][i] + first_layer_[i]) << row_bits) + number[1][i] + 1;
+      keys[at + i] = {row, static_cast<uint32_t>(number[0][i]), static_cast<uint32_t>(at + i)};
+    }
+  }
+
+  void put(size_t at, size_t count, const uint32_t *slots, const ChunkScatter &output) {
+    for (size_t i = 0; i < kSize; i++) load_one(i, slots[at + (i < count ? i : 0)]);
+    for (int axis = 0; axis < D; axis++) {
+      to_places(axis);
+      int32_t *to = axis == 0 ? output.x : (axis == 1 ? output.y : output.z);
+      for (size_t i = 0; i < count; i++) to[at + i] = low_word(position_[axis][i]);
+    }
+    for (size_t i = 0; i < count; i++) {
+      output.radius[at + i] = static_cast<float>((radius_[i] + input_.extra_radius) * input_.map.scale);
+    }
+  }
+
+ private:
+  void load_one(size_t i, size_t slot) {
+    for (size_t axis = 0; axis < D; axis++) position_[axis][i] = input_.centers[slot * D + axis];
+    radius_[i] = input_.radii[slot];
+  }
+
+  // Whole quanta above the origin, in doubles: FixedPoint::place on a block.
+  void to_places(int axis) {
+    double *position = position_[axis];
+    const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
+    const double low = input_.map.box_min[axis], length = input_.map.length[axis];
+    if (length > 0) {
+      for (size_t i = 0; i < kSize; i++) position[i] = place_in_box(position[i], low, length);
+    }
+    for (size_t i = 0; i < kSize; i++) position[i] = to_whole(to_quanta(position[i], half_origin, scale));
+  }
+
+  // Eq. 3.
+  void choose_levels() {
+    const ChunkLevelKey &finest = input_.levels[0];
+    for (size_t i = 0; i < kSize; i++) {
+      inverse_cell_[i] = finest.inverse_cell;
+      inverse_width_[i] = finest.inverse_width;
+      first_layer_[i] = finest.first_layer;
+      for (int axis = 0; axis < D; axis++) low_[axis][i] = finest.low[axis];
+    }
+    for (int h = 1; h < input_.level_count; h++) {
+      const ChunkLevelKey level = input_.levels[h];
+      const double limit = input_.levels[h - 1].radius_limit;
+      for (size_t i = 0; i < kSize; i++) {
+        const bool coarser = radius_[i] > limit;
+        inverse_cell_[i] = coarser ? level.inverse_cell : inverse_cell_[i];
+        inverse_width_[i] = coarser ? level.inverse_width : inverse_width_[i];
+        first_layer_[i] = coarser ? level.first_layer : first_layer_[i];
+        for (int axis = 0; axis < D; axis++) low_[axis][i] = coarser ? level.low[axis] : low_[axis][i];
+      }
+    }
+  }
+
+  // Of 0 <= x < 2^51.
+  static uint64_t floor_bits(double x) {
+    const double whole = to_whole(x);
+    return whole_bits(whole - (whole > x ? 1.0 : 0.0));
+  }
+
+  const ChunkInput &input_;
+  alignas(64) double position_[3][kSize];
+  alignas(64) double radius_[kSize];
+  alignas(64) double inverse_cell_[kSize];
+  alignas(64) double inverse_width_[kSize];
+  alignas(64) uint64_t first_layer_[kSize];
+  alignas(64) double low_[3][kSize];
+};
+
+template <int D>
+void find_chunk_keys(const ChunkInput &input, size_t begin, size_t end, ChunkKey *keys) {
+  ChunkBlock<D> block(input);
+  for (size_t at = begin; at < end; at += block.size()) {
+    block.find_keys(at, end - at < block.size() ? end - at : block.size(), keys);
+  }
+}
+
+template <int D>
+void put_into_chunks(const ChunkInput &input, const uint32_t *slots, size_t begin, size_t end,
+                     const ChunkScatter &output) {
+  constexpr size_t kAhead = 64;
+  ChunkBlock<D> block(input);
+  for (size_t at = begin; at < end; at += block.size()) {
+    for (size_t i = at + kAhead; i < at + kAhead + block.size() && i < end; i++) {
+      __builtin_prefetch(input.centers + static_cast<size_t>(slots[i]) * D);
+      __builtin_prefetch(input.radii + slots[i]);
+    }
+    block.put(at, end - at < block.size() ? end - at : block.size(), slots, output);
+  }
+}
+
+template <int D>
+constexpr ChunkBuildKernel make_chunk_build() {
+  return {find_chunk_keys<D>, put_into_chunks<D>};
+}
+
+}  // namespace
+}  // namespace hg

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/search/giant_pairs.hpp"
+
+namespace hg {
+
+bool GiantPairs::run(const SearchTask &task) {
+  const ChunkRows &chunks = index_.chunks;
+  for (uint32_t i = task.begin; i < task.end; i++) {
+    const Ball ball = store_.ball((task.images ? index_.images : index_.particles).slot[i]);
+    const bool go_on =
+        chunks.visit_box(chunks.level(task.target), box_of(task, i, ball), [&](size_t chunk, const double *) {
+          return test(task, i, ball, chunks.chunk_begin(chunk), chunks.chunk_end(chunk));
+        });
+    if (!go_on) return false;
+  }
+  return true;
+}
+
+// Doubles round the reach by less than the slack of any level.
+PlaceBox GiantPairs::box_of(const SearchTask &task, uint32_t i, const Ball &ball) const {
+  const double largest = index_.levels[task.target].largest_radius;
+  const double reach = index_.interaction.reach(ball.radius, largest) * index_.map.scale * (1 + 0x1p-40);
+  PlaceBox box;
+  for (int axis = 0; axis < index_.domain.dimension; axis++) {
+    const double place = task.images ? index_.image_place[axis][i] : index_.chunks.giant_place(axis, i);
+    box.low[axis] = place - reach;
+    box.high[axis] = place + reach;
+  }
+  return box;
+}
+
+// Of its own level a giant looks only at what comes after it.
+bool GiantPairs::test(const SearchTask &task, uint32_t i, const Ball &ball, uint32_t begin, uint32_t end) {
+  if (task.level == task.target && !task.images && begin <= i) begin = i + 1;
+  const Image image = points_.image != nullptr ? points_.image[i] : kNoImage;
+  const uint32_t name = points_.slot[i];
+  const int32_t offset = stream_.judge.id_offset;
+  PairOutput &output = stream_.output;
+  for (uint32_t j = begin; j < end; j++) {
+    stream_.candidate_total++;
+    if (!overlap_.holds(ball, store_.ball(index_.particles.slot[j]), image, stream_.exact_total)) continue;
+    if (output.next == output.limit && !output.make_room(&output, 1)) return false;
+    const uint32_t other = particles_.slot[j];
+    const uint32_t low = name < other ? name : other, high = name < other ? other : name;
+    *output.next++ = {static_cast<int32_t>(low) + offset, static_cast<int32_t>(high) + offset};
+  }
+  return true;
+}
+
+}  // namespace hg
