@@ -64,7 +64,8 @@ typedef struct hg_grid_def {
   int32_t level_count;  /* AUTO, PAPER: at most that many levels, 0 = the cheapest; USER: length of cell_sizes (0) */
   int32_t reserved0;    /* 0 */
   const double *cell_sizes; /* USER: [level_count] ascending cell edges > 0, the last >= the largest diameter (largest
-                               range for HG_MAX_RANGE) plus margin; copied by hg_create (NULL) */
+                               range for HG_MAX_RANGE), and wider by itself if a margin needs that; copied by hg_create
+                               (NULL) */
   double margin;            /* added to every reach, >= 0, caller's length unit (0) */
   double skin;          /* >= 0, length: pairs this much farther apart are stored as candidates, which serve until one
                            particle has moved plus grown by skin / 2; then all are searched anew. 0 = search always.

@@ -10,6 +10,9 @@
 
 namespace hg {
 
+// How many bits a number has.
+inline int bit_width(uint64_t n) { return n == 0 ? 0 : 64 - __builtin_clzll(n); }
+
 // Sorts from[0 .. count) by `bits` bits of key(entry). `other` has as much room; what is returned is that of the two
 // that holds the sorted entries.
 template <class Entry, class Key>

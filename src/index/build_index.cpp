@@ -127,7 +127,7 @@ class Builder {
   // larger ones become giants.
   FixedPoint map_far(ChunkInput &input, const double *diameters) {
     constexpr double kFineDiameter = 0x1p12;    // quanta
-    constexpr double kWorthSqueezing = 0x1p21;  // quanta: the largest diameter that extents shall leave
+    constexpr double kWorthSqueezing = 0x1p20;  // quanta: the largest diameter that extents shall leave
     constexpr double kGap = 4;                  // largest diameters
     const Domain &domain = index_.domain;
     double largest = index_.largest_reach();

@@ -22,11 +22,9 @@ double whole_float(double x) {
   return static_cast<double>(rounded);
 }
 
-int bit_width(uint64_t n) { return n == 0 ? 0 : 64 - __builtin_clzll(n); }
-
 // On what a search must allow for see docs/theory/exactness.md, section 12.
-constexpr double kLeastSlack = 256;
-constexpr double kSlackPerCell = 0x1p-16;
+constexpr double kLeastSlack = 16;
+constexpr double kSlackPerCell = 0x1p-15;
 
 }  // namespace
 
@@ -46,7 +44,7 @@ bool ChunkRows::lay(const ChunkInput &input, const Sizes &sizes) {
     const double diameter = sizes.diameter[h] * input.map.scale, least = longest / kMostAlongAxis;
     fits = fits && least <= std::max(kCellLength * diameter, kLeastSlack);
     level.giants = diameter >= kGiantDiameter;
-    level.cell = whole_float(std::max(kCellLength * diameter + kLeastSlack, least));
+    level.cell = whole_float(std::max((kCellLength * diameter + kLeastSlack) / (1 - kSlackPerCell), least));
     level.slack = kLeastSlack + kSlackPerCell * level.cell;
     level.row_width = whole_float(std::max(kRowWidth * diameter + 4 * level.slack, least));
     level.first_layer = next_layer;
@@ -359,13 +357,12 @@ void ChunkRows::find_place(const PointArrays &points, uint32_t particle, size_t 
 
 ChunkRows::Window ChunkRows::window_of(const ChunkLevel &level, const PlaceBox &box) const {
   const double edge[3] = {level.chunk_length(), level.row_width, level.row_width};
+  const double slack = kFarSlack + level.slack;
   Window window{};
   for (int axis = 0; axis < 3; axis++) {
     const double first = level.space.low[axis], last = level.space.high[axis];
-    window.first[axis] =
-        static_cast<uint64_t>((std::clamp(box.low[axis] - level.slack, first, last) - first) / edge[axis]);
-    window.last[axis] =
-        static_cast<uint64_t>((std::clamp(box.high[axis] + level.slack, first, last) - first) / edge[axis]);
+    window.first[axis] = static_cast<uint64_t>((std::clamp(box.low[axis] - slack, first, last) - first) / edge[axis]);
+    window.last[axis] = static_cast<uint64_t>((std::clamp(box.high[axis] + slack, first, last) - first) / edge[axis]);
   }
   window.first[2] += level.first_layer;
   window.last[2] += level.first_layer;

@@ -18,7 +18,7 @@ constexpr size_t kFetchAhead = 48;  // points whose centres are on their way fro
 constexpr double kLow = -0x1p29, kSpan = 0x1p31 - 1;
 
 // Places likewise. A multiple of 2^32, so that adding it leaves coordinates what they are.
-constexpr double kFarthest = 0x1p49;
+constexpr double kFarthest = 0x1p47;
 
 // How far two conversions of a radius to float may be off, relative to it; docs/theory/exactness.md.
 constexpr float kGrowthError = 0x1p-21f;

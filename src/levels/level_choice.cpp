@@ -4,6 +4,7 @@
 
 #include "src/levels/occupancy_cost.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace hg {
@@ -17,8 +18,15 @@ double LevelSettings::largest_diameter() const {
   return rule == HG_LEVELS_USER ? cell_sizes[level_count - 1] : std::numeric_limits<double>::infinity();
 }
 
-LevelPlan LevelChoice::user_plan(double skin) const {
+LevelPlan LevelChoice::user_plan(const ParticleStore &store, double skin) const {
   LevelPlan plan = user_levels(settings_.cell_sizes, settings_.level_count, interaction_);
+  // The coarsest cells hold all particles as they are; with their margin they may be wider.
+  if (store.slots() > 0) {
+    const double largest = store.summary().radius.greatest;
+    PlannedLevel &coarsest = plan.levels[plan.level_count - 1];
+    coarsest.radius_limit = std::max(coarsest.radius_limit, largest);
+    coarsest.cell_size = std::max(coarsest.cell_size, interaction_.diameter(largest));
+  }
   for (int h = 0; skin > 0 && h < plan.level_count; h++) {
     plan.levels[h].cell_size = (plan.levels[h].cell_size + skin) * (1 + 0x1p-40);
   }
@@ -28,7 +36,7 @@ LevelPlan LevelChoice::user_plan(double skin) const {
 void LevelChoice::make_classes(const ParticleStore &store) {
   if (classes_made_) return;
   if (settings_.rule == HG_LEVELS_PAPER) {
-    classes_.sort_radii(store.radii(), store.slots());
+    classes_.sort_radii(store.radii(), store.slots(), store.summary().radius);
   } else {
     classes_.bin_radii(store.radii(), store.slots(), store.summary().radius);
   }
@@ -37,7 +45,7 @@ void LevelChoice::make_classes(const ParticleStore &store) {
 
 LevelPlan LevelChoice::choose(const ParticleStore &store, const FixedPoint &map, const FilledVolume &volume,
                               const Interaction &wide) {
-  if (settings_.rule == HG_LEVELS_USER) return user_plan(wide.margin - interaction_.margin);
+  if (settings_.rule == HG_LEVELS_USER) return user_plan(store, wide.margin - interaction_.margin);
   make_classes(store);
   const LevelRequest request{volume, settings_.level_count, settings_.rule == HG_LEVELS_PAPER ? 0 : kFittedPrecision,
                              wide};

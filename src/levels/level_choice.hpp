@@ -34,7 +34,7 @@ class LevelChoice {
                    const Interaction &wide);
 
  private:
-  LevelPlan user_plan(double skin) const;
+  LevelPlan user_plan(const ParticleStore &store, double skin) const;
   void make_classes(const ParticleStore &store);
 
   LevelSettings settings_;

@@ -3,8 +3,7 @@
 #include "src/levels/size_classes.hpp"
 
 #include "src/base/ordered_bits.hpp"
-
-#include <algorithm>
+#include "src/base/radix_sort.hpp"
 
 namespace hg {
 namespace {
@@ -13,15 +12,21 @@ uint64_t ordered_bits(double radius) { return bits_of(radius + 0.0); }  // -0 be
 
 }  // namespace
 
-void SizeClasses::sort_radii(const double *radii, size_t count) {
+void SizeClasses::sort_radii(const double *radii, size_t count, const Interval &extremes) {
   radius_.require(count);
   end_.require(count);
-  std::copy(radii, radii + count, radius_.data());
-  std::sort(radius_.data(), radius_.data() + count);
+  keys_.require(2 * count);
   count_ = 0;
+  if (count == 0) return;
+  // Counted from the least, bits that all have in common are 0 and need no digit.
+  const uint64_t least = ordered_bits(extremes.least);
+  uint64_t *keys = keys_.data();
+  for (size_t i = 0; i < count; i++) keys[i] = ordered_bits(radii[i]) - least;
+  const int bits = bit_width(ordered_bits(extremes.greatest) - least);
+  const uint64_t *sorted = radix_sort(keys, keys + count, count, bits, [](uint64_t key) { return key; });
   for (size_t i = 0; i < count; i++) {
-    if (i + 1 < count && radius_[i + 1] == radius_[i]) continue;
-    radius_[count_] = radius_[i];
+    if (i + 1 < count && sorted[i + 1] == sorted[i]) continue;
+    radius_[count_] = from_bits(least + sorted[i]);
     end_[count_++] = static_cast<int64_t>(i + 1);
   }
 }

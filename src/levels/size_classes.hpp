@@ -13,11 +13,11 @@ namespace hg {
 
 class SizeClasses {
  public:
-  explicit SizeClasses(Memory &memory) : radius_(memory), end_(memory) {}
+  explicit SizeClasses(Memory &memory) : radius_(memory), end_(memory), keys_(memory) {}
 
-  // One class for each distinct radius. O(N log N).
-  void sort_radii(const double *radii, size_t count);
-  // At most kBins classes of nearly equal radii, equal radii always together; `extremes`: of the radii. O(N).
+  // `extremes`: of the radii. One class for each distinct radius. O(N).
+  void sort_radii(const double *radii, size_t count, const Interval &extremes);
+  // At most kBins classes of nearly equal radii, equal radii always together. O(N).
   void bin_radii(const double *radii, size_t count, const Interval &extremes);
 
   size_t count() const { return count_; }
@@ -31,6 +31,7 @@ class SizeClasses {
  private:
   Buffer<double> radius_;  // upper end of the class
   Buffer<int64_t> end_;    // particles in this class and all smaller ones
+  Buffer<uint64_t> keys_;  // to sort radii by
   size_t count_ = 0;
 };
 

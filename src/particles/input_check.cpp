@@ -96,9 +96,10 @@ void InputCheck::check_largest(const InputArrays &input, double radius) const {
     fail(HG_ERR_LIMIT, "radii[%zu] = %g: its diameter with margin overflows", index, radius);
   }
   check_box(index, radius);
-  if (diameter > largest_diameter_) {
-    fail(HG_ERR_ARGUMENT, "radii[%zu] = %g: its diameter with margin is %g, but the last of cell_sizes is %g", index,
-         radius, diameter, largest_diameter_);
+  const double bare = Interaction{interaction_.kind, 0}.diameter(radius);
+  if (bare > largest_diameter_) {
+    fail(HG_ERR_ARGUMENT, "radii[%zu] = %g: its diameter is %g, but the last of cell_sizes is %g", index, radius, bare,
+         largest_diameter_);
   }
 }
 

@@ -3,11 +3,12 @@
 #include "src/search/chunk_pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hg {
 namespace {
 
-// The particles of one chunk share a list of what is near them, unless their cells are so many times wider than what
+// The points of one chunk share a list of what is near them, unless their cells are so many times wider than what
 // they search: then each alone meets much less.
 constexpr double kSharedWidth = 4;
 
@@ -28,7 +29,7 @@ bool ChunkPairs::run(const SearchTask &task) {
   Searchers searchers{};
   for (uint32_t i = task.begin; i < task.end; i = searchers.points.end) {
     if (task.images) {
-      gather_image(i, searchers);
+      gather_images(task, i, searchers);
     } else {
       gather_particles(task, i, searchers);
     }
@@ -38,34 +39,39 @@ bool ChunkPairs::run(const SearchTask &task) {
   return true;
 }
 
+bool ChunkPairs::search_together(const SearchTask &task) const {
+  return index_.chunks.level(task.level).cell <= kSharedWidth * index_.chunks.level(task.target).cell;
+}
+
 void ChunkPairs::gather_particles(const SearchTask &task, uint32_t begin, Searchers &searchers) const {
   const ChunkRows &chunks = index_.chunks;
   const size_t chunk = chunks.chunk_of(begin);
-  const bool together = chunks.level(task.level).cell <= kSharedWidth * chunks.level(task.target).cell;
-  const uint32_t end = together ? std::min(task.end, chunks.chunk_end(chunk)) : begin + 1;
-  const int32_t *x[3] = {points_.x, points_.y, points_.z};
-  searchers.points.begin = begin;
-  searchers.points.end = end;
-  for (int axis = 0; axis < index_.domain.dimension; axis++) {
-    searchers.points.place[axis] = x[axis][begin];
-  }
   double corner[3];
   chunks.find_corner(chunks.level(task.level), chunk, corner);
   chunks.find_place(points_, begin, chunk, corner, index_.domain.dimension, searchers.place);
+  searchers.points.begin = begin;
+  searchers.points.end = search_together(task) ? std::min(task.end, chunks.chunk_end(chunk)) : begin + 1;
 }
 
-void ChunkPairs::gather_image(uint32_t image, Searchers &searchers) const {
-  const int32_t *x[3] = {points_.x, points_.y, points_.z};
-  searchers.points.begin = image;
-  searchers.points.end = image + 1;
-  for (int axis = 0; axis < index_.domain.dimension; axis++) {
-    searchers.points.place[axis] = x[axis][image];
-    searchers.place[axis] = index_.image_place[axis][image];
-  }
+// Those that follow by the same step and are no farther from the first than a chunk is long.
+void ChunkPairs::gather_images(const SearchTask &task, uint32_t begin, Searchers &searchers) const {
+  const double farthest = index_.chunks.level(task.level).chunk_length();
+  const auto is_near = [&](uint32_t i) {
+    if (points_.image[i] != points_.image[begin]) return false;
+    for (int axis = 0; axis < index_.domain.dimension; axis++) {
+      if (std::fabs(index_.image_place[axis][i] - index_.image_place[axis][begin]) > farthest) return false;
+    }
+    return true;
+  };
+  for (int axis = 0; axis < index_.domain.dimension; axis++) searchers.place[axis] = index_.image_place[axis][begin];
+  searchers.points.begin = begin;
+  searchers.points.end = begin + 1;
+  if (!search_together(task)) return;
+  while (searchers.points.end < task.end && is_near(searchers.points.end)) searchers.points.end++;
 }
 
 void ChunkPairs::set_box(const SearchTask &task, Searchers &searchers) const {
-  const ChunkGroup &group = searchers.points;
+  ChunkGroup &group = searchers.points;
   const int32_t *x[3] = {points_.x, points_.y, points_.z};
   const float largest = *std::max_element(points_.radius + group.begin, points_.radius + group.end);
   const double base = index_.interaction.with_rule([&](auto rule) {
@@ -75,6 +81,7 @@ void ChunkPairs::set_box(const SearchTask &task, Searchers &searchers) const {
   const double reach = base * static_cast<double>(kSearchScale);
   for (int axis = 0; axis < index_.domain.dimension; axis++) {
     int32_t least = 0, most = 0;
+    group.place[axis] = x[axis][group.begin];
     for (uint32_t i = group.begin; i < group.end; i++) {
       const int32_t offset = near_difference(x[axis][i], group.place[axis]);
       least = std::min(least, offset);

@@ -26,8 +26,9 @@ class ChunkPairs {
     PlaceBox box;
   };
 
+  bool search_together(const SearchTask &task) const;
   void gather_particles(const SearchTask &task, uint32_t begin, Searchers &searchers) const;
-  void gather_image(uint32_t image, Searchers &searchers) const;
+  void gather_images(const SearchTask &task, uint32_t begin, Searchers &searchers) const;
   void set_box(const SearchTask &task, Searchers &searchers) const;
   bool search(const SearchTask &task, const ChunkTable &table, const Searchers &searchers);
 

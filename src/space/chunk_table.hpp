@@ -19,6 +19,9 @@ struct ChunkWord {
   static constexpr int32_t kLast = 12;              // mask: 4 times the chunk that ends with the last one: 1, 2, 3
 };
 
+// What a search from elsewhere must allow for beyond the slack of a level.
+inline constexpr double kFarSlack = 512;
+
 // The forward half of the stencil: own row, next in y, and three in the next layer in z.
 inline constexpr int kStencilRows = 5;
 

@@ -39,7 +39,7 @@ FixedPoint FixedPoint::over(const Bounds &bounds, const Domain &domain, double l
 
 FixedPoint FixedPoint::wrapping(const Bounds &bounds, const Domain &domain, double largest, double most_wraps) {
   FixedPoint map;
-  map.scale = std::min(scale_for(0.5 * largest, 26), scale_for(largest_half_extent(bounds, domain.dimension), 48));
+  map.scale = std::min(scale_for(0.5 * largest, 26), scale_for(largest_half_extent(bounds, domain.dimension), 46));
   for (int axis = 0; axis < domain.dimension; axis++) {
     // Wrapping errs by 3 (most_wraps + 1) 2^-53 lengths, which shall be less than 3/8 of a quantum.
     if (domain.periodic[axis]) {

@@ -66,7 +66,7 @@ struct FixedPoint {
   // `least_extent`: a length that must be well resolved even if the centres coincide; finite.
   static FixedPoint over(const Bounds &bounds, const Domain &domain, double least_extent);
 
-  // For a space that is mostly empty: coordinates are the lowest 32 bits of places up to 2^48 quanta, fine enough for
+  // For a space that is mostly empty: coordinates are the lowest 32 bits of places up to 2^46 quanta, fine enough for
   // particles of diameter `largest` to be 2^26 quanta wide if the extents allow it. Differences of near points are
   // exact; points that are not near must not be compared. Particles lie up to `most_wraps` boxes outside a periodic
   // box.

@@ -44,6 +44,25 @@ void faces_and_corners(void **) {
   }));
 }
 
+// The coarsest cells hold the largest particle, but not with its margin.
+void margin_wider_than_the_coarsest_cells(void **) {
+  assert_true(sweep(20, [](uint64_t seed) {
+    Rng rng(seed);
+    const double cells[] = {0.5, 2};
+    hg_grid_def def = with_cells(cells, 2);
+    def.interaction = rng.chance(0.5) ? HG_CONTACT : HG_MAX_RANGE;
+    def.margin = rng.uniform(0, 3);
+    def.skin = rng.chance(0.5) ? 0.2 : 0;
+    const double largest = def.interaction == HG_CONTACT ? 1 : 2;
+    Particles particles;
+    for (int i = 0; i < 200; i++) {
+      const double x[3] = {rng.uniform(0, 20), rng.uniform(0, 20), rng.uniform(0, 20)};
+      particles.add(x, i == 0 ? largest : rng.uniform(0.1, largest));
+    }
+    require_exact("wide margin", def, particles);
+  }));
+}
+
 // The cell of -0.0 is that of 0.0, the cell of the least negative number is the one below.
 void negative_zero_and_below(void **) {
   assert_true(holds(0, [](uint64_t) {
@@ -163,6 +182,7 @@ void periodic_boxes_of_few_cells(void **) {
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(faces_and_corners),
+                              cmocka_unit_test(margin_wider_than_the_coarsest_cells),
                               cmocka_unit_test(negative_zero_and_below),
                               cmocka_unit_test(quotients_that_round_across_a_face),
                               cmocka_unit_test(indices_beyond_2_31_and_2_62),

@@ -24,7 +24,10 @@ constexpr double kLargest = std::numeric_limits<double>::max();
 LevelPlan plan_of(const std::vector<double> &radii, const LevelRequest &request, double overhead) {
   hg::Memory memory(hg::system_allocator());
   hg::SizeClasses classes(memory);
-  classes.sort_radii(radii.data(), radii.size());
+  hg::Interval extremes{0, 0};
+  if (!radii.empty())
+    extremes = {*std::min_element(radii.begin(), radii.end()), *std::max_element(radii.begin(), radii.end())};
+  classes.sort_radii(radii.data(), radii.size(), extremes);
   return hg::plan_levels(classes, request, hg::OccupancyCost(overhead));
 }
 

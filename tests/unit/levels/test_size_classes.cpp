@@ -34,13 +34,18 @@ void require_classes(const SizeClasses &classes, const std::vector<double> &radi
   require(classes.largest_radius(classes.count() - 1) == greatest, "the last class ends above all radii");
 }
 
+hg::Interval extremes_of(const std::vector<double> &radii) {
+  if (radii.empty()) return {0, 0};
+  const auto [least, greatest] = std::minmax_element(radii.begin(), radii.end());
+  return {*least, *greatest};
+}
+
 void bin(SizeClasses &classes, const std::vector<double> &radii) {
-  hg::Interval extremes{0, 0};
-  if (!radii.empty()) {
-    const auto [least, greatest] = std::minmax_element(radii.begin(), radii.end());
-    extremes = {*least, *greatest};
-  }
-  classes.bin_radii(radii.data(), radii.size(), extremes);
+  classes.bin_radii(radii.data(), radii.size(), extremes_of(radii));
+}
+
+void sort(SizeClasses &classes, const std::vector<double> &radii) {
+  classes.sort_radii(radii.data(), radii.size(), extremes_of(radii));
 }
 
 std::vector<double> any_radii(Rng &rng) {
@@ -74,7 +79,7 @@ void check_any(uint64_t seed) {
   SizeClasses sorted(memory), binned(memory);
   for (int pass = 0; pass < 2; pass++) {
     const std::vector<double> radii = any_radii(rng);
-    sorted.sort_radii(radii.data(), radii.size());
+    sort(sorted, radii);
     require_classes(sorted, radii);
     require(sorted.count() == std::set<double>(radii.begin(), radii.end()).size(), "a class for each distinct radius");
     bin(binned, radii);
@@ -118,9 +123,8 @@ void no_particles(void **) {
   assert_true(holds(0, [](uint64_t) {
     hg::Memory memory(hg::system_allocator());
     SizeClasses classes(memory);
-    const double one = 1;
-    classes.sort_radii(&one, 1);
-    classes.sort_radii(&one, 0);
+    sort(classes, {1});
+    sort(classes, {});
     require(classes.count() == 0, "sorted: %zu classes", classes.count());
     bin(classes, {1});
     bin(classes, {});

@@ -243,11 +243,11 @@ void box_exactly(void **) { assert_true(holds(0, check_box_exactly)); }
 void check_largest_cell(uint64_t) {
   Memory memory(hg::system_allocator());
   ParticleStore store = make_store(memory, open_space(3), Interaction{HG_CONTACT, 0.5}, 0, 2.5);
-  const double x[6] = {0, 0, 0, 1, 1, 1}, good[2] = {0.5, 1}, bad[2] = {0.5, std::nextafter(1, 2)};
+  const double x[6] = {0, 0, 0, 1, 1, 1}, good[2] = {0.5, 1.25}, bad[2] = {0.5, std::nextafter(1.25, 2)};
   require_refused("cell", HG_ERR_ARGUMENT, "radii[1]", [&] { store.insert(2, x, bad); });
   store.insert(2, x, good);
   require_refused("cell", HG_ERR_ARGUMENT, "radii[1]", [&] { store.move(2, x, bad); });
-  require(store.radius(1) == 1, "the radius changed");
+  require(store.radius(1) == 1.25, "the radius changed");
 }
 
 void largest_cell(void **) { assert_true(holds(0, check_largest_cell)); }
