@@ -4,16 +4,11 @@
 #include "tests/support/compare.hpp"
 #include "tests/support/scenes.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace {
 
 using namespace hgtest;
-
-// Extra pairs of HG_FLOAT may be this much farther apart than their reach, relative to it.
-constexpr double kFloatExtra = 1e-3;
 
 Scene draw(Rng &rng) {
   const int dimension = rng.integer(2, 3);
@@ -35,34 +30,10 @@ void check_double(uint64_t seed) {
 
 void double_is_the_plain_expression(void **) { assert_true(sweep(1200, check_double)); }
 
-Sphere row(const Scene &scene, int32_t id) {
-  const size_t i = static_cast<size_t>(id - scene.def.index_base);
-  return {scene.particles.center(i), scene.particles.radii[i]};
-}
-
-void require_distinct(const Pairs &ascending) {
-  for (size_t k = 0; k < ascending.size(); k++) {
-    require(ascending[k].a < ascending[k].b, "a pair is not a < b");
-    require(k == 0 || pair_less(ascending[k - 1], ascending[k]), "a pair comes twice");
-  }
-}
-
 void require_float(Scene &scene) {
   scene.def.accuracy = HG_FLOAT;
-  const Grid grid = make_grid(scene.def, scene.particles);
-  const Pairs got = sorted_pairs_of(grid);
-  const Pairs expected = all_pairs(scene.def, scene.particles, exact_interact);
-  require_distinct(got);
-  Pairs difference;
-  std::set_difference(expected.begin(), expected.end(), got.begin(), got.end(), std::back_inserter(difference),
-                      pair_less);
-  require(difference.empty(), scene.name + ": HG_FLOAT misses " + std::to_string(difference.size()) + " pairs");
-  std::set_difference(got.begin(), got.end(), expected.begin(), expected.end(), std::back_inserter(difference),
-                      pair_less);
-  for (const hg_pair &extra : difference) {
-    const double gap = relative_gap(scene.def, row(scene, extra.a), row(scene, extra.b));
-    require(gap <= kFloatExtra, scene.name + ": extra pair at relative distance " + std::to_string(gap));
-  }
+  require_superset(scene.name, scene.def, scene.particles, pairs_of(make_grid(scene.def, scene.particles)),
+                   all_pairs(scene.def, scene.particles, exact_interact));
 }
 
 void check_float(uint64_t seed) {

@@ -7,6 +7,7 @@ What a page points to is there: links and their anchors, numbered sections (also
 files and folders in backticks, names in files, tests. Prints each fault; exits with 1 if there is one.
 """
 
+import functools
 import pathlib
 import re
 import sys
@@ -107,21 +108,21 @@ def check_names(tree, page):
             yield f"says that {name} stands in {' or '.join(paths)}"
 
 
-def check_tests(tree, page):
-    """robustness.md: every row of a table of tests names one, each is there, none of the hard cases is left out."""
+def check_tests(tree, page, folder):
+    """Every row of a table of tests names one, each is there, none of the folder is left out."""
     for table in page.tables:
         for row, cell in zip(table.rows, table.column("test")):
             if not re.search(r"`[a-z0-9_]+(/test_\w+: \w+|\.\w+)`|\bsection \d", cell):
                 yield f"names no test in the row '{row[0]}'"
     named = {match.groups() for match in map(TEST.fullmatch, page.ticked()) if match}
-    for folder, name, word in sorted(named):
-        found = list((tree.root / "tests" / folder).rglob(name + ".*"))
+    for place, name, word in sorted(named):
+        found = list((tree.root / "tests" / place).rglob(name + ".*"))
         if len(found) != 1 or not has_word(found[0], word):
-            yield f"names {folder}/{name}: {word}, which is not there"
-    for path in pages.files(tree.root, "tests/hard_cases/test_*.c*"):
-        for word in re.findall(r"cmocka_unit_test\((\w+)\)", path.read_text(encoding="utf-8")):
-            if ("hard_cases", path.stem, word) not in named:
-                yield f"does not name hard_cases/{path.stem}: {word}"
+            yield f"names {place}/{name}: {word}, which is not there"
+    for path in pages.files(tree.root, f"tests/{folder}/test_*.c*"):
+        for word in re.findall(r"cmocka_unit_test\((?:\(report<)?(\w+)", path.read_text(encoding="utf-8")):
+            if (folder, path.stem, word) not in named:
+                yield f"does not name {folder}/{path.stem}: {word}"
 
 
 def check_rows(tree, page):
@@ -163,7 +164,8 @@ def check_source(tree, path):
 
 ANY_PAGE = (check_links, check_headings, check_width, check_sections, check_paths, check_names)
 ONE_PAGE = {
-    "docs/evidence/robustness.md": check_tests,
+    "docs/evidence/robustness.md": functools.partial(check_tests, folder="hard_cases"),
+    "docs/evidence/reports.md": functools.partial(check_tests, folder="reports"),
     "CONTRIBUTING.md": check_rows,
     "docs/README.md": check_written,
 }

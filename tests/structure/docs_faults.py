@@ -16,6 +16,7 @@ import docs_built
 import pages
 
 API, INDEX, ROBUST = "docs/guide/api.md", "docs/README.md", "docs/evidence/robustness.md"
+REPORTS = "docs/evidence/reports.md"
 NOWHERE = "nowhere.md"  # apart, as the check reads this file too
 # File, what is added to it, a part of what must be said.
 FAULTS = [
@@ -40,6 +41,8 @@ FAULTS = [
     (ROBUST, "`api/test_insert: no_such_test`", "names api/test_insert: no_such_test"),
     (ROBUST, "\n| case | test |\n|---|---|\n| new | by hand |", "names no test in the row 'new'"),
     ("tests/hard_cases/test_cells.cpp", "// cmocka_unit_test(new_case)", "does not name hard_cases/test_cells: new"),
+    (REPORTS, "\n| report | test |\n|---|---|\n| unseen | by hand |", "names no test in the row 'unseen'"),
+    ("tests/reports/test_axes.cpp", "// cmocka_unit_test((report<new_1>))", "does not name reports/test_axes: new_1"),
     ("CONTRIBUTING.md", "| folder |\n|---|\n| `nowhere` |", "has a row for nowhere"),
     ("CONTRIBUTING.md", "| folder |\n|---|\n| `include` |", "has its rows in another order"),
     ("new/file.txt", "", "has no row for new"),

@@ -18,3 +18,23 @@ function(hgrid_add_test name)
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS ${arg_LABEL} TIMEOUT ${arg_TIMEOUT})
 endfunction()
+
+# hgrid_add_instruction_sets(<test> <label> <target> [<argument>...]): the program again as <test>.<set> with each
+# instruction set that this kind of machine can have; without a choice the library takes the best one.
+function(hgrid_add_instruction_sets test label target)
+  set(sets scalar)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    list(APPEND sets sse2 avx2 avx512)
+  elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64|ARM64")
+    list(APPEND sets neon)
+  endif()
+  foreach(set ${sets})
+    add_test(NAME ${test}.${set} COMMAND ${target} ${ARGN})
+    set_tests_properties(
+      ${test}.${set}
+      PROPERTIES LABELS ${label}
+                 TIMEOUT 300
+                 ENVIRONMENT HGRID_ISA=${set}
+                 SKIP_REGULAR_EXPRESSION "this machine cannot run it")
+  endforeach()
+endfunction()

@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <iterator>
 
 namespace hgtest {
 namespace {
+
+// Extra pairs of HG_FLOAT may be this much farther apart than their reach, relative to it.
+constexpr double kFloatExtra = 1e-3;
 
 std::string first_of(const Pairs &pairs) {
   if (pairs.empty()) return "none";
@@ -55,6 +59,38 @@ Pairs sorted(Pairs pairs) {
 }
 
 Pairs sorted_pairs_of(const Grid &grid) { return sorted(pairs_of(grid)); }
+
+Pairs pairs_of_rows(const Grid &grid, int32_t list) {
+  const size_t count = static_cast<size_t>(grid.get_stats().particle_count);
+  const hgrid::Rows rows = grid.query_neighbors(list);
+  require(rows.offsets[0] == 0 && rows.size() == count, "offsets do not start at 0, or do not fit the particles");
+  Pairs pairs;
+  for (size_t row = 0; row < count; row++) {
+    const hgrid::View<int32_t> ids = rows[row];
+    require(std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) == ids.end(), "a row does not ascend");
+    for (const int32_t neighbor : ids) pairs.push_back({static_cast<int32_t>(row), neighbor});
+  }
+  return pairs;
+}
+
+void require_superset(const std::string &what, const hg_grid_def &def, const Particles &particles, const Pairs &got,
+                      const Pairs &expected) {
+  const Pairs ascending = sorted(got);
+  for (size_t k = 0; k < ascending.size(); k++) {
+    require(ascending[k].a < ascending[k].b, what + ": a pair is not a < b");
+    require(k == 0 || pair_less(ascending[k - 1], ascending[k]), what + ": a pair comes twice");
+  }
+  const oracle::Difference wrong = oracle::difference(expected, got);
+  require(wrong.missing.empty(), what + ": HG_FLOAT misses " + first_of(wrong.missing));
+  const auto sphere = [&](int32_t id) {
+    const size_t row = static_cast<size_t>(id - def.index_base);
+    return Sphere{particles.center(row), particles.radii[row]};
+  };
+  for (const hg_pair &extra : wrong.extra) {
+    const double gap = relative_gap(def, sphere(extra.a), sphere(extra.b));
+    require(gap <= kFloatExtra, what + ": extra pair at relative distance " + std::to_string(gap));
+  }
+}
 
 void require_exact(const std::string &what, const hg_grid_def &def, const Particles &particles) {
   require_same(what.c_str(), sorted_pairs_of(make_grid(def, particles)), all_pairs(def, particles, exact_interact));

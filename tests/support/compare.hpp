@@ -37,6 +37,13 @@ Pairs pairs_of(const Grid &grid);
 Pairs sorted_pairs_of(const Grid &grid);
 Pairs sorted(Pairs pairs);
 
+// The rows of hg_query_neighbors as pairs (row, neighbour); throws if a row does not ascend.
+Pairs pairs_of_rows(const Grid &grid, int32_t list);
+
+// What HG_FLOAT may return: each pair once, all of `expected`, and of others only such as nearly touch.
+void require_superset(const std::string &what, const hg_grid_def &def, const Particles &particles, const Pairs &got,
+                      const Pairs &expected);
+
 // A grid of these particles finds the pairs of exact arithmetic.
 void require_exact(const std::string &what, const hg_grid_def &def, const Particles &particles);
 
