@@ -6,25 +6,27 @@
 #include "src/kernels/build.hpp"
 #include "src/kernels/filter.hpp"
 #include "src/kernels/input_check.hpp"
+#include "src/kernels/order.hpp"
 #include "src/kernels/search.hpp"
 #include "src/kernels/update.hpp"
 
 namespace hg {
 namespace {
 
-template <class V, class... Rules>
+template <class V, class Sorter, class... Rules>
 constexpr KernelSet make_kernels(const char *name, RuleList<Rules...>) {
   return {name,
           {check_input<2>, check_input<3>},
           {make_build<2>(), make_build<3>()},
           {{make_search<V, 2, Rules>()...}, {make_search<V, 3, Rules>()...}},
           {update<2>, update<3>},
-          {filter<V, Rules>...}};
+          {filter<V, Rules>...},
+          order<Sorter>};
 }
 
-template <class V>
+template <class V, class Sorter>
 constexpr KernelSet make_kernels(const char *name) {
-  return make_kernels<V>(name, InteractionRules{});
+  return make_kernels<V, Sorter>(name, InteractionRules{});
 }
 
 }  // namespace

@@ -14,14 +14,33 @@ namespace hg {
 
 class PairOrder {
  public:
-  explicit PairOrder(Memory &memory) : begin_(memory), by_first_(memory) {}
+  // `most_counted`: more pairs are not counted together.
+  explicit PairOrder(Memory &memory, size_t most_counted = UINT32_MAX)
+      : most_counted_(most_counted), row_end_(memory), partners_(memory), bucket_end_(memory), bucketed_(memory) {}
 
-  // Orders pairs of slots + `base`, a < b, by (a, b). O(slots + pairs) but for sorting within the pairs of one a.
+  // Orders pairs of slots + `base`, a <= b, by (a, b). There must be room for kPadding pairs behind them. O(slots +
+  // pairs) but for sorting within the pairs of one a.
   void ascend(hg_pair *pairs, size_t count, size_t slots, int32_t base);
 
  private:
-  Buffer<uint64_t> begin_;    // where the pairs of each slot begin
-  Buffer<hg_pair> by_first_;  // the pairs by a
+  // Pairs of consecutive particles, `first_id` the first of them.
+  struct Run {
+    const hg_pair *pairs;
+    size_t count;
+    size_t slots;
+    int32_t first_id, base;
+  };
+
+  void ascend_by_buckets(hg_pair *pairs, size_t count, size_t slots, int32_t base);
+  void fill_buckets(const Run &all);
+  hg_pair *write_ascending(const Run &run, hg_pair *to);
+  void fill_rows(const Run &run);
+
+  size_t most_counted_;
+  Buffer<uint32_t> row_end_;   // of each particle's partners
+  Buffer<uint32_t> partners_;  // the slots b, by a
+  Buffer<size_t> bucket_end_;
+  Buffer<hg_pair> bucketed_;  // the pairs, by the bucket that a falls into
 };
 
 }  // namespace hg
