@@ -3,11 +3,12 @@
 // Sorts a short row of partners by a bitonic network in vectors of eight (Batcher 1968).
 #pragma once
 
-#include "src/kernels/points.hpp"
-
 #include <hgrid/types.h>
 
 #include <immintrin.h>
+
+#include <cstddef>
+#include <cstdint>
 
 namespace hg {
 namespace {
@@ -37,16 +38,16 @@ struct Avx2Sorter {
   using Int = __m256i;
 
   // More partners than fit into half of the vectors.
-  template <int Vectors>
+  template <size_t Vectors>
   static void write(const uint32_t *partners, uint32_t count, int32_t a, uint32_t offset, hg_pair *to) {
     Int v[Vectors];
-    for (int n = 0; n < Vectors; n++) {
+    for (size_t n = 0; n < Vectors; n++) {
       v[n] = load(partners + 8 * n);
       if (n >= Vectors / 2) v[n] = _mm256_or_si256(v[n], load(kBehindRow.value + 32 - count + 8 * n));
     }
     sort<Vectors>(v);
     const Int first = _mm256_set1_epi32(a), shift = _mm256_set1_epi32(static_cast<int32_t>(offset));
-    for (int n = 0; n < Vectors; n++) {
+    for (size_t n = 0; n < Vectors; n++) {
       const Int second = _mm256_add_epi32(v[n], shift);
       const Int even = _mm256_unpacklo_epi32(first, second), odd = _mm256_unpackhi_epi32(first, second);
       store(to + 8 * n, _mm256_permute2x128_si256(even, odd, 0x20));
@@ -54,31 +55,31 @@ struct Avx2Sorter {
     }
   }
 
-  template <int Vectors>
+  template <size_t Vectors>
   static void sort(Int *v) {
     if constexpr (Vectors == 1) {
       v[0] = exchange<1>(v[0]);
       v[0] = exchange<1>(exchange<3>(v[0]));
       v[0] = exchange<1>(exchange<2>(exchange<7>(v[0])));
     } else {
-      constexpr int kHalf = Vectors / 2;
+      constexpr size_t kHalf = Vectors / 2;
       sort<kHalf>(v);
       sort<kHalf>(v + kHalf);
       Int back[kHalf];  // the second half from its end on: with the first half it rises, then falls
-      for (int n = 0; n < kHalf; n++) back[n] = across<7>(v[Vectors - 1 - n]);
-      for (int n = 0; n < kHalf; n++) v[kHalf + n] = back[n];
+      for (size_t n = 0; n < kHalf; n++) back[n] = across<7>(v[Vectors - 1 - n]);
+      for (size_t n = 0; n < kHalf; n++) v[kHalf + n] = back[n];
       merge<Vectors>(v);
     }
   }
 
   // Of what rises and then falls.
-  template <int Vectors>
+  template <size_t Vectors>
   static void merge(Int *v) {
     if constexpr (Vectors == 1) {
       v[0] = exchange<1>(exchange<2>(exchange<4>(v[0])));
     } else {
-      constexpr int kHalf = Vectors / 2;
-      for (int n = 0; n < kHalf; n++) {
+      constexpr size_t kHalf = Vectors / 2;
+      for (size_t n = 0; n < kHalf; n++) {
         const Int low = _mm256_min_epu32(v[n], v[kHalf + n]);
         v[kHalf + n] = _mm256_max_epu32(v[n], v[kHalf + n]);
         v[n] = low;

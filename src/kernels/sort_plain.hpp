@@ -3,9 +3,9 @@
 // Sorts a short row of partners without vector instructions.
 #pragma once
 
-#include "src/kernels/points.hpp"
-
 #include <hgrid/types.h>
+
+#include <cstdint>
 
 namespace hg {
 namespace {
