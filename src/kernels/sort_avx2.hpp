@@ -25,7 +25,7 @@ alignas(64) constexpr BehindRow kBehindRow;
 struct Avx2Sorter {
   // Writes the pairs of `a` with its partners, ascending, plus at most 15 behind them. Reads as many.
   static void write(const uint32_t *partners, uint32_t count, int32_t a, uint32_t offset, hg_pair *to) {
-    if (count <= 8) {
+    if (__builtin_expect(count <= 8, 1)) {
       write<1>(partners, count, a, offset, to);
     } else if (count <= 16) {
       write<2>(partners, count, a, offset, to);

@@ -5,47 +5,30 @@
 #include "src/kernels/kernel_set.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace hg {
 namespace {
 
-constexpr size_t kBucket = 4096;              // particles: their counters fit into the nearest cache
-constexpr size_t kInCache = size_t{1} << 18;  // particles whose counters and partners all stay in cache
+constexpr size_t kBucket = 4096;  // particles: their counters fit into the nearest cache
 
 uint32_t distance(int32_t from, int32_t to) { return static_cast<uint32_t>(to) - static_cast<uint32_t>(from); }
 
-bool comes_first(const hg_pair &p, const hg_pair &q) { return p.a < q.a || (p.a == q.a && p.b < q.b); }
-
-// Are the a of successive pairs often far apart? Near pairs stand together, so this tells ids in any order from those
-// that follow space.
-bool is_scattered(const hg_pair *pairs, size_t count) {
-  constexpr size_t kSamples = 1024;
-  size_t far = 0, seen = 0;
-  for (size_t p = 1; p < count; p += count / kSamples + 1) {
-    const auto [low, high] = std::minmax(pairs[p - 1].a, pairs[p].a);
-    far += distance(low, high) > kBucket ? 1 : 0;
-    seen++;
+// body(p) for each p below `count`, from four places in turns: near pairs often have the same a, and what is added to a
+// counter must wait for what was added to it just before.
+template <class Body>
+void from_four_places(size_t count, Body &&body) {
+  const size_t part = count / 4;
+  for (size_t p = 0; p < part; p++) {
+    for (size_t k = 0; k < 4; k++) body(p + k * part);
   }
-  return 4 * far > seen;
-}
-
-// Counts become the places where each one's share begins. Returns the largest count.
-template <class Count>
-Count counts_to_begins(Count *counts, size_t size) {
-  Count sum = 0, largest = 0;
-  for (size_t k = 0; k < size; k++) {
-    const Count here = counts[k];
-    largest = std::max(largest, here);
-    counts[k] = sum;
-    sum += here;
-  }
-  return largest;
+  for (size_t p = 4 * part; p < count; p++) body(p);
 }
 
 }  // namespace
 
 void PairOrder::ascend(hg_pair *pairs, size_t count, size_t slots, int32_t base) {
-  if (count > most_counted_ || (slots > kInCache && is_scattered(pairs, count))) {
+  if (count > most_counted_ || is_scattered(count, slots, [pairs](size_t p) { return pairs[p].a; })) {
     ascend_by_buckets(pairs, count, slots, base);
   } else {
     write_ascending({pairs, count, slots, base, base}, pairs);
@@ -76,8 +59,8 @@ void PairOrder::fill_buckets(const Run &all) {
   size_t *next = bucket_end_.data();
   hg_pair *bucketed = bucketed_.data();
   std::fill(next, next + buckets, size_t{0});
-  for (size_t p = 0; p < all.count; p++) next[distance(all.base, all.pairs[p].a) / kBucket]++;
-  counts_to_begins(next, buckets);
+  from_four_places(all.count, [&](size_t p) { next[distance(all.base, all.pairs[p].a) / kBucket]++; });
+  std::exclusive_scan(next, next + buckets, next, size_t{0});
   for (size_t p = 0; p < all.count; p++) bucketed[next[distance(all.base, all.pairs[p].a) / kBucket]++] = all.pairs[p];
 }
 
@@ -93,11 +76,18 @@ void PairOrder::fill_rows(const Run &run) {
   partners_.require_room(run.count + kPadding);
   uint32_t *next = row_end_.data(), *partners = partners_.data();
   std::fill(next, next + run.slots, uint32_t{0});
-  for (size_t p = 0; p < run.count; p++) next[distance(run.first_id, run.pairs[p].a)]++;
-  const uint32_t longest = counts_to_begins(next, run.slots);
-  for (size_t p = 0; p < run.count; p++) {
-    partners[next[distance(run.first_id, run.pairs[p].a)]++] = distance(run.base, run.pairs[p].b);
+  from_four_places(run.count, [=](size_t p) { next[distance(run.first_id, run.pairs[p].a)]++; });
+  uint32_t sum = 0, longest = 0;
+  for (size_t row = 0; row < run.slots; row++) {
+    const uint32_t size = next[row];
+    longest = std::max(longest, size);
+    next[row] = sum;
+    __builtin_prefetch(partners + sum, 1);  // filled in any order
+    sum += size;
   }
+  from_four_places(run.count, [=](size_t p) {
+    partners[next[distance(run.first_id, run.pairs[p].a)]++] = distance(run.base, run.pairs[p].b);
+  });
   if (longest <= kMostSorted) return;
   uint32_t begin = 0;
   for (size_t row = 0; row < run.slots; row++) {

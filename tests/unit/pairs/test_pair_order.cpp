@@ -90,6 +90,22 @@ void any_pairs_in_order(void **) { assert_true(sweep(200, check_any)); }
 void large_lists(void **) { assert_true(sweep(12, check_large)); }
 void one_has_all(void **) { assert_true(sweep(101, check_star)); }
 
+// Ids in any order, of more particles than caches hold.
+void scattered(void **) {
+  assert_true(holds(0, [](uint64_t) {
+    Rng rng(1);
+    for (const int slots : {0, 1, 100000, 262144, 262145, 400000}) {
+      Pairs pairs = near_pairs(rng, slots, 2, 100, 0);
+      const auto ask = [&] {
+        return hg::is_scattered(pairs.size(), static_cast<size_t>(slots), [&](size_t k) { return pairs[k].a; });
+      };
+      require(!ask(), "%d slots in order", slots);
+      shuffle(rng, pairs);
+      require(ask() == (slots > 262144), "%d slots in any order", slots);
+    }
+  }));
+}
+
 // 12 bytes a pair at most, and what counters take.
 void bounded_memory(void **) {
   assert_true(holds(0, [](uint64_t) {
@@ -113,6 +129,7 @@ void bounded_memory(void **) {
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(any_pairs_in_order), cmocka_unit_test(large_lists),
-                              cmocka_unit_test(one_has_all), cmocka_unit_test(bounded_memory)};
+                              cmocka_unit_test(one_has_all), cmocka_unit_test(scattered),
+                              cmocka_unit_test(bounded_memory)};
   return cmocka_run_group_tests_name("pair_order", tests, nullptr, nullptr);
 }
