@@ -145,6 +145,11 @@ Grid::Answer Grid::answer_locked() {
   build_locked();
   Answer answer;
   if (candidates_.kept()) {
+    if (definition_.pair_order == HG_ORDER_ID) {
+      built_ = false;  // if they are dropped: the index alone is not where the particles are now
+      candidates_.ascend(order_);
+      built_ = true;
+    }
     answer.source = &filter_;
     return answer;
   }
@@ -176,7 +181,7 @@ void Grid::find_pairs_locked() {
   if (pairs_found_) return;
   const Answer answer = answer_locked();
   const SearchCounts counts = pairs_.gather(*answer.source, pool_, store_.slots());
-  if (definition_.pair_order == HG_ORDER_ID) {
+  if (definition_.pair_order == HG_ORDER_ID && !candidates_.ascending()) {
     order_.ascend(pairs_.data(), pairs_.count(), store_.slots(), store_.id_offset());
   }
   to_ids(pairs_.data(), pairs_.count(), store_);

@@ -3,9 +3,10 @@
 #include "src/kernels/kernel_set.hpp"
 #include "src/kernels/lanes_avx2.hpp"
 #include "src/kernels/make_kernels.hpp"
+#include "src/kernels/sort_avx2.hpp"
 
 namespace hg {
 
-const KernelSet kAvx2Kernels = make_kernels<Avx2Lanes>("avx2");
+const KernelSet kAvx2Kernels = make_kernels<Avx2Lanes, Avx2Sorter>("avx2");
 
 }  // namespace hg

@@ -3,7 +3,7 @@
 // The kernels of each instruction set that this build holds, and the choice among them at run time. A kernel is a
 // function over plain pointers and numbers, so that it can be compiled for an instruction set of its own without
 // sharing inline functions with other files. The order is that of the data: input check, build, search; then, step by
-// step, update and filter.
+// step, update and filter; last the order of the pairs.
 #pragma once
 
 #include "src/base/interval.hpp"
@@ -166,6 +166,23 @@ struct FilterInput {
 // slots. False if the output stopped.
 using FilterKernel = bool(const FilterInput &input, PairStream *stream);
 
+// ---- order: from partners row by row to pairs in ascending order
+
+// Longer rows come in order already.
+inline constexpr uint32_t kMostSorted = 32;
+
+// The partners of consecutive particles, row after row, as slots. Row k ends before partners[end[k]].
+struct PartnerRows {
+  const uint32_t *partners;  // kPadding readable ones behind the last row
+  const uint32_t *end;
+  size_t count;
+  int32_t first_id;   // of the particle of row 0
+  int32_t id_offset;  // added to partners in pairs
+};
+
+// Writes the pairs of all rows, each row in ascending order, and anything to kPadding pairs behind. Returns their end.
+using OrderKernel = hg_pair *(const PartnerRows &rows, hg_pair *next);
+
 // ---- all of one instruction set, by dimension - 2 and by rule of interaction
 
 struct KernelSet {
@@ -177,6 +194,7 @@ struct KernelSet {
   ChunkSearchKernel chunk_search[2][InteractionRules::kCount];
   UpdateKernel *update[2];
   FilterKernel *filter[InteractionRules::kCount];
+  OrderKernel *order;
 };
 
 extern const KernelSet kScalarKernels;

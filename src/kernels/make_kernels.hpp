@@ -8,13 +8,14 @@
 #include "src/kernels/chunk_search.hpp"
 #include "src/kernels/filter.hpp"
 #include "src/kernels/input_check.hpp"
+#include "src/kernels/order.hpp"
 #include "src/kernels/search.hpp"
 #include "src/kernels/update.hpp"
 
 namespace hg {
 namespace {
 
-template <class V, class... Rules>
+template <class V, class Sorter, class... Rules>
 constexpr KernelSet make_kernels(const char *name, RuleList<Rules...>) {
   return {name,
           {check_input<2>, check_input<3>},
@@ -23,12 +24,13 @@ constexpr KernelSet make_kernels(const char *name, RuleList<Rules...>) {
           {{make_search<V, 2, Rules>()...}, {make_search<V, 3, Rules>()...}},
           {{make_chunk_search<V, 2, Rules>()...}, {make_chunk_search<V, 3, Rules>()...}},
           {update<2>, update<3>},
-          {filter<V, Rules>...}};
+          {filter<V, Rules>...},
+          order<Sorter>};
 }
 
-template <class V>
+template <class V, class Sorter>
 constexpr KernelSet make_kernels(const char *name) {
-  return make_kernels<V>(name, InteractionRules{});
+  return make_kernels<V, Sorter>(name, InteractionRules{});
 }
 
 }  // namespace

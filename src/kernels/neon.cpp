@@ -3,9 +3,10 @@
 #include "src/kernels/kernel_set.hpp"
 #include "src/kernels/lanes_neon.hpp"
 #include "src/kernels/make_kernels.hpp"
+#include "src/kernels/sort_plain.hpp"
 
 namespace hg {
 
-const KernelSet kNeonKernels = make_kernels<NeonLanes>("neon");
+const KernelSet kNeonKernels = make_kernels<NeonLanes, PlainSorter>("neon");
 
 }  // namespace hg

@@ -3,9 +3,10 @@
 #include "src/kernels/kernel_set.hpp"
 #include "src/kernels/lanes_scalar.hpp"
 #include "src/kernels/make_kernels.hpp"
+#include "src/kernels/sort_plain.hpp"
 
 namespace hg {
 
-const KernelSet kScalarKernels = make_kernels<ScalarLanes>("scalar");
+const KernelSet kScalarKernels = make_kernels<ScalarLanes, PlainSorter>("scalar");
 
 }  // namespace hg

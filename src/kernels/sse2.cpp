@@ -3,9 +3,10 @@
 #include "src/kernels/kernel_set.hpp"
 #include "src/kernels/lanes_sse2.hpp"
 #include "src/kernels/make_kernels.hpp"
+#include "src/kernels/sort_plain.hpp"
 
 namespace hg {
 
-const KernelSet kSse2Kernels = make_kernels<Sse2Lanes>("sse2");
+const KernelSet kSse2Kernels = make_kernels<Sse2Lanes, PlainSorter>("sse2");
 
 }  // namespace hg

@@ -143,6 +143,7 @@ SearchCounts PairList::gather_alone(const PairSource &source, size_t particles, 
   bool go_on = true;
   for (size_t task = 0; go_on && task < source.task_count(); task++) go_on = source.send(task, stream);
   count_ = room.used(stream.output);
+  pairs_.grow(count_ + kPadding);
   SearchCounts counts;
   counts.add(stream);
   return counts;
@@ -163,7 +164,7 @@ SearchCounts PairList::gather_together(const PairSource &source, PairPool &pool,
   std::partial_sum(begin, begin + tasks + 1, begin);
   count_ = begin[tasks];
   pool.provide(count_);
-  pairs_.require_room(std::max<size_t>(1, count_));
+  pairs_.require_room(count_ + kPadding);
   parallel_for(pool.threads_, pool.workers_.size(), [&](size_t n, int) {
     const PairPool::Worker &worker = pool.workers_[n];
     for (size_t p = 0; p < worker.piece_count; p++) {

@@ -64,6 +64,7 @@ class PairList {
   // has then is of no use.
   SearchCounts gather(const PairSource &source, PairPool &pool, size_t particles, size_t most = SIZE_MAX);
 
+  // With room for kPadding more behind them.
   hg_pair *data() { return pairs_.data(); }
   const hg_pair *data() const { return pairs_.data(); }
   size_t count() const { return count_; }

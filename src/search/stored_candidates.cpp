@@ -60,11 +60,12 @@ StoredCandidates::StoredCandidates(Memory &memory, int threads)
       place_{Buffer<double>(memory), Buffer<double>(memory), Buffer<double>(memory)},
       slot_(memory),
       original_(memory),
-      point_of_slot_(memory) {}
+      point_of_slot_(memory),
+      image_candidates_(memory) {}
 
 bool StoredCandidates::collect(const Index &index, const SearchTasks &tasks, const ParticleStore &store,
                                const Interaction &interaction, PairPool &pool, SearchCounts &counts) {
-  kept_ = moved_ = false;
+  kept_ = moved_ = ascending_ = false;
   particle_count_ = store.slots();
   image_count_ = index.image_count();
   const size_t count = particle_count_ + image_count_;
@@ -103,9 +104,8 @@ void StoredCandidates::set_slots() {
   std::copy_n(index_->particles.slot.data(), particle_count_, slot_.data());
   if (image_count_ == 0) return;
   std::copy_n(index_->images.slot.data(), image_count_, slot_.data() + particle_count_);
-  point_of_slot_.require(particle_count_);
+  find_points_of_slots();
   original_.require_room(image_count_);
-  for (size_t p = 0; p < particle_count_; p++) point_of_slot_[slot_[p]] = static_cast<uint32_t>(p);
   for (size_t m = 0; m < image_count_; m++) original_[m] = point_of_slot_[slot_[particle_count_ + m]];
 }
 
@@ -129,6 +129,59 @@ void StoredCandidates::set_points(const ParticleStore &store) {
 
 double StoredCandidates::place_of(size_t p, int axis, const ParticleStore &store) const {
   return index_->map.quanta_of_center(axis, store.center(slot_[p])[axis]);
+}
+
+void StoredCandidates::find_points_of_slots() {
+  point_of_slot_.require(particle_count_);
+  for (size_t p = 0; p < particle_count_; p++) point_of_slot_[slot_[p]] = static_cast<uint32_t>(p);
+}
+
+// Candidates go through the order as slots. Slots tell which particles they are of; those of images are kept beside.
+void StoredCandidates::ascend(PairOrder &order) {
+  hg_pair *pairs = list_.data();
+  const size_t count = list_.count();
+  const auto first = [&](size_t k) { return slots_of(pairs[k]).a; };
+  if (!kept_ || ascending_ || is_scattered(count, particle_count_, first)) return;
+  kept_ = false;
+  const size_t images = copy_image_candidates();
+  for (size_t k = 0; k < count; k++) pairs[k] = slots_of(pairs[k]);
+  order.ascend(pairs, count, particle_count_, 0);
+  find_points_of_slots();
+  slots_to_points(images);
+  kept_ = ascending_ = true;
+}
+
+hg_pair StoredCandidates::slots_of(const hg_pair &candidate) const {
+  const auto [a, b] = std::minmax(slot_[candidate.a], slot_[candidate.b]);
+  return {static_cast<int32_t>(a), static_cast<int32_t>(b)};
+}
+
+// Returns how many there are.
+size_t StoredCandidates::copy_image_candidates() {
+  size_t count = 0;
+  for (size_t k = 0; k < list_.count(); k++) {
+    const hg_pair candidate = list_.data()[k];
+    if (static_cast<size_t>(candidate.b) < particle_count_) continue;
+    image_candidates_.grow(count + 1);
+    image_candidates_[count++] = {slots_of(candidate), candidate};
+  }
+  std::sort(image_candidates_.data(), image_candidates_.data() + count,
+            [](const ImageCandidate &p, const ImageCandidate &q) { return comes_first(p.slots, q.slots); });
+  return count;
+}
+
+// Walks along both ascending lists, that of all and that of images.
+void StoredCandidates::slots_to_points(size_t images) {
+  size_t next = 0;
+  for (size_t k = 0; k < list_.count(); k++) {
+    hg_pair &pair = list_.data()[k];
+    if (next < images && !comes_first(pair, image_candidates_[next].slots)) {
+      pair = image_candidates_[next++].points;
+    } else {
+      const auto [a, b] = std::minmax(point_of_slot_[pair.a], point_of_slot_[pair.b]);
+      pair = {static_cast<int32_t>(a), static_cast<int32_t>(b)};
+    }
+  }
 }
 
 bool StoredCandidates::update(const ParticleStore &store, bool radii) {

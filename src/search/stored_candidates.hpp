@@ -7,6 +7,7 @@
 #include "src/exact/overlap.hpp"
 #include "src/index/index.hpp"
 #include "src/pairs/pair_list.hpp"
+#include "src/pairs/pair_order.hpp"
 #include "src/particles/particle_store.hpp"
 #include "src/search/search_tasks.hpp"
 
@@ -26,6 +27,12 @@ class StoredCandidates {
   bool collect(const Index &index, const SearchTasks &tasks, const ParticleStore &store, const Interaction &interaction,
                PairPool &pool, SearchCounts &counts);
   void drop() { kept_ = moved_ = false; }
+
+  // Puts the candidates into ascending order of their particles, so that those that interact come in it, too. Not if
+  // the filter would then read its points all over memory, which costs more than to order the pairs that it finds. Out
+  // of memory, candidates are dropped.
+  void ascend(PairOrder &order);
+  bool ascending() const { return kept_ && ascending_; }
 
   // Takes the particles to where they are now. False if one has moved too far: then the candidates are of no use.
   // `radii`: one may have changed since the candidates were collected.
@@ -50,6 +57,11 @@ class StoredCandidates {
   bool see(size_t p, Image &image, const ParticleStore &store) const;
 
  private:
+  // One of its points is an image.
+  struct ImageCandidate {
+    hg_pair slots, points;
+  };
+
   // body(begin, end) for parts of the particles, on all threads.
   template <class Body>
   void for_parts(Body &&body);
@@ -58,6 +70,10 @@ class StoredCandidates {
   bool update_particles(const ParticleStore &store, bool radii);
   void update_images();
   double place_of(size_t p, int axis, const ParticleStore &store) const;
+  void find_points_of_slots();
+  hg_pair slots_of(const hg_pair &candidate) const;
+  size_t copy_image_candidates();
+  void slots_to_points(size_t images);
   void boxes_outside(size_t p, const ParticleStore &store, int *boxes) const;
   bool see_from(const int *ball_boxes, size_t p, Image &image, const ParticleStore &store) const;
 
@@ -67,13 +83,15 @@ class StoredCandidates {
   float room_ = 0;  // quanta that a particle may move and grow
   bool kept_ = false;
   bool moved_ = false;
+  bool ascending_ = false;
   size_t particle_count_ = 0, image_count_ = 0;
   PairList list_;
   Buffer<Point> points_;
   Buffer<double> place_[3];         // of each particle at first, where coordinates wrap
   Buffer<uint32_t> slot_;           // of each point
   Buffer<uint32_t> original_;       // of each image: the particle that it is an image of, as a point
-  Buffer<uint32_t> point_of_slot_;  // while originals are found
+  Buffer<uint32_t> point_of_slot_;  // of particles
+  Buffer<ImageCandidate> image_candidates_;
 };
 
 }  // namespace hg

@@ -322,6 +322,30 @@ TEST(every_allocation_with_skin_fails_once) {
   assert_true(refuse_each_allocation(&scenario) > 10);
 }
 
+/* Candidates, one of them across a face, are put in order of ids when they are filtered first after a motion. */
+static void move_with_skin(hg_grid **grid) {
+  const double ring[12] = {0, 0, 0, 1, 0, 0, 10, 0, 0, 19, 0, 0}, apart[12] = {0, 0, 0, 1.21, 0, 0, 10, 0, 0, 19, 0, 0};
+  const hg_pair pairs[2] = {{0, 1}, {0, 3}};
+  hg_grid_def def = periodic_axis(0, 20);
+  def.skin = 0.5;
+  def.pair_order = HG_ORDER_ID;
+  *grid = make_grid(&def, 4, ring, kRadii);
+  assert_pairs(*grid, pairs, 2);
+  assert_ok(hg_move(*grid, 4, apart, NULL));
+}
+
+static void has_pair_across(hg_grid *grid) {
+  const hg_pair pair = {0, 3};
+  assert_pairs(grid, &pair, 1);
+}
+
+TEST(every_allocation_of_a_filter_fails_once) {
+  const alloc_scenario looked_at = {move_with_skin, query, has_pair_across, has_pair_across};
+  const alloc_scenario left_alone = {move_with_skin, query, NULL, has_pair_across};
+  assert_true(refuse_each_allocation(&looked_at) > 0);
+  assert_true(refuse_each_allocation(&left_alone) > 0);
+}
+
 static hg_status move_again(hg_grid *grid) {
   double centers[3 * CHAIN_COUNT] = {0};
   return hg_move(grid, CHAIN_COUNT, centers, NULL);
@@ -347,6 +371,7 @@ int main(void) {
                                      cmocka_unit_test(a_skin_is_never_an_error),
                                      cmocka_unit_test(insert_remove_and_clear_make_candidates_stale),
                                      cmocka_unit_test(every_allocation_with_skin_fails_once),
+                                     cmocka_unit_test(every_allocation_of_a_filter_fails_once),
                                      cmocka_unit_test(refused_inside_a_visitor)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

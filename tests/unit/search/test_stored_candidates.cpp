@@ -89,11 +89,13 @@ class Run {
     check_points();
     check_collected();
     check_interacting();
+    const int ascend_at = rng_.integer(0, 8);  // after 3: never
     for (int step = 0; step < 4 && half_ > 0; step++) {
       const bool with_radii = step >= 2;  // from the third step on, radii are not what they were
       move(with_radii);
       require(candidates_.update(crowd_.store, with_radii), "step %d: motion within the skin is refused", step);
       require(candidates_.kept() && candidates_.moved(), "not moved");
+      if (step == ascend_at) check_ascending();
       check_interacting();
     }
     check_too_far();
@@ -137,9 +139,24 @@ class Run {
             "of %zu pairs within the skin some are missing", expected.size());
   }
 
+  // The same candidates, in the order of their particles.
+  void check_ascending() {
+    const auto candidates = [&] { return Pairs(candidates_.pairs(), candidates_.pairs() + candidates_.count()); };
+    const Pairs before = candidates();
+    candidates_.ascend(order_);
+    Pairs after = candidates();
+    require(candidates_.ascending() && candidates_.kept() && candidates_.moved(), "not ascending");
+    Pairs slots;
+    for (const hg_pair &pair : after) slots.push_back(stored_.slots_of(pair));
+    require_pairs("order of candidates", slots, sorted(slots.data(), slots.size()));
+    require_pairs("ascending candidates", sorted(after.data(), after.size()), sorted(before.data(), before.size()));
+    candidates_.ascend(order_);
+    require_pairs("ascending again", candidates(), after);
+  }
+
   void check_interacting() {
     const Pairs found = stored_.filtered();
-    require_pairs("filtered", sorted(found.data(), found.size()), crowd_.pairs());
+    require_pairs("filtered", candidates_.ascending() ? found : sorted(found.data(), found.size()), crowd_.pairs());
     require_pairs("one by one", stored_.decided(), found);
     for (int n = 0; n < 10; n++) check_sphere();
   }
@@ -212,7 +229,7 @@ class Run {
     crowd_.particles = start_;
     crowd_.move();
     require(!candidates_.update(crowd_.store, true), "candidates that were given up came back");
-    require(stored_.collect() && candidates_.kept(), "not collected anew");
+    require(stored_.collect() && candidates_.kept() && !candidates_.ascending(), "not collected anew");
     candidates_.drop();
     require(!candidates_.kept() && candidates_.count() == 0, "dropped candidates are kept");
   }
@@ -222,6 +239,7 @@ class Run {
   Stored stored_;
   Crowd &crowd_;
   hg::StoredCandidates &candidates_;
+  hg::PairOrder order_{stored_.memory};
   Particles start_;
   double half_;  // that a particle may surely move
 };
@@ -320,6 +338,8 @@ void check_threads(uint64_t seed) {
     require_pairs("alone", alone.filtered(), alone.decided());
     require_pairs("together", together.filtered(), alone.decided());
     for (Stored *stored : {&alone, &together}) {
+      hg::PairOrder order(stored->memory);
+      stored->candidates.ascend(order);
       for (double &x : stored->crowd.particles.centers) x += 0.05 * std::sin(1000 * x);
       stored->crowd.move();
       require(stored->candidates.update(stored->crowd.store, step == 1), "motion within the skin is refused");
