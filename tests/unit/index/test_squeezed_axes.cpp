@@ -156,11 +156,11 @@ void check_scene(uint64_t seed) {
   Scene(seed, memory).check();
 }
 
-void any_scenes(void **) { assert_true(sweep(300, check_scene)); }
+void near_and_far_particles(void **) { assert_true(sweep(300, check_scene)); }
 
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(any_scenes)};
+  const CMUnitTest tests[] = {cmocka_unit_test(near_and_far_particles)};
   return cmocka_run_group_tests_name("squeezed_axes", tests, nullptr, nullptr);
 }
