@@ -21,7 +21,7 @@ struct Steps {
   }
   // For anything between two places.
   Steps(const Index &index, const double *low, const double *high, double reach) {
-    for (int axis = 0; axis < index.domain.dimension; axis++) {
+    for (int axis = 0; axis < 3; axis++) {
       if (!index.domain.periodic[axis]) continue;
       const double period = index.map.period_place(axis);
       set(axis, (high[axis] - period) + reach >= 0, low[axis] - reach <= 0);

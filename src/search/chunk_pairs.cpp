@@ -43,11 +43,10 @@ void ChunkPairs::gather_particles(const SearchTask &task, uint32_t begin, Search
   const size_t chunk = chunks.chunk_of(begin);
   const bool together = chunks.level(task.level).cell <= kSharedWidth * chunks.level(task.target).cell;
   const uint32_t end = together ? std::min(task.end, chunks.chunk_end(chunk)) : begin + 1;
-  const int32_t *x[3] = {points_.x, points_.y, points_.z};
   searchers.points.begin = begin;
   searchers.points.end = end;
   for (int axis = 0; axis < index_.domain.dimension; axis++) {
-    searchers.points.place[axis] = x[axis][begin];
+    searchers.points.place[axis] = coordinates(points_, axis)[begin];
   }
   double corner[3];
   chunks.find_corner(chunks.level(task.level), chunk, corner);
@@ -55,18 +54,16 @@ void ChunkPairs::gather_particles(const SearchTask &task, uint32_t begin, Search
 }
 
 void ChunkPairs::gather_image(uint32_t image, Searchers &searchers) const {
-  const int32_t *x[3] = {points_.x, points_.y, points_.z};
   searchers.points.begin = image;
   searchers.points.end = image + 1;
   for (int axis = 0; axis < index_.domain.dimension; axis++) {
-    searchers.points.place[axis] = x[axis][image];
+    searchers.points.place[axis] = coordinates(points_, axis)[image];
     searchers.place[axis] = index_.image_place[axis][image];
   }
 }
 
 void ChunkPairs::set_box(const SearchTask &task, Searchers &searchers) const {
   const ChunkGroup &group = searchers.points;
-  const int32_t *x[3] = {points_.x, points_.y, points_.z};
   const float largest = *std::max_element(points_.radius + group.begin, points_.radius + group.end);
   const double base = index_.interaction.with_rule([&](auto rule) {
     return rule.base(static_cast<double>(largest),
@@ -74,9 +71,10 @@ void ChunkPairs::set_box(const SearchTask &task, Searchers &searchers) const {
   });
   const double reach = base * static_cast<double>(kSearchScale);
   for (int axis = 0; axis < index_.domain.dimension; axis++) {
+    const int32_t *x = coordinates(points_, axis);
     int32_t least = 0, most = 0;
     for (uint32_t i = group.begin; i < group.end; i++) {
-      const int32_t offset = near_difference(x[axis][i], group.place[axis]);
+      const int32_t offset = near_difference(x[i], group.place[axis]);
       least = std::min(least, offset);
       most = std::max(most, offset);
     }
