@@ -43,10 +43,10 @@ class FarParticles {
     levels.resize(diameter.size());
   }
 
-  // A particle of the level, half its diameter or less in radius, at the whole place nearest to `at` in space.
+  // A particle of the level, as wide as its diameter or less, at the whole place nearest to `at` in space.
   void add(Rng &rng, size_t level, const double *at) {
-    const double least = level == 0 ? 0 : 0.5 * diameter[level - 1];
-    double r = 0.5 * diameter[level];
+    const double least = level == 0 ? 0 : share * diameter[level - 1];
+    double r = share * diameter[level];
     if (rng.chance(0.7)) r -= rng.uniform() * (r - least);
     for (int axis = 0; axis < dimension; axis++) {
       centers.push_back(std::clamp(std::rint(at[axis]), 0.0, map.extent[axis]));
@@ -96,7 +96,7 @@ class FarParticles {
     sizes.level_count = static_cast<int>(diameter.size());
     for (size_t h = 0; h < diameter.size(); h++) {
       sizes.diameter[h] = levels[h] > 0 ? diameter[h] : diameter.back();
-      sizes.radius_limit[h] = 0.5 * diameter[h];
+      sizes.radius_limit[h] = share * diameter[h];
     }
     slot.assign(count() + hg::kPadding, 0);
     chunks.build(input(), sizes, dimension, count(), slot.data(), scratch);
@@ -115,6 +115,7 @@ class FarParticles {
 
   int dimension;
   std::vector<double> diameter;
+  double share = 0.5;  // the radius of a particle that is as wide as its level's diameter, over that
   hg::FixedPoint map;
   std::vector<double> centers, radii;  // by slot
   std::vector<size_t> levels;          // particles on each
