@@ -17,10 +17,18 @@
 
 namespace hgtest {
 
+// All but kEven make the index chunked, if there are enough particles.
+enum class Filling {
+  kEven,
+  kOutlier,  // one particle far away
+  kCorner,   // all around a corner of the box: one place where it is periodic, else several far apart
+  kGiants    // as kCorner, and half of them dust
+};
+
 struct CrowdShape {
   int dimension = 3;
   bool periodic = false;
-  bool outlier = false;  // one particle far away, which makes the index chunked
+  Filling filling = Filling::kEven;
   size_t count = 0;
   hg::Interaction interaction;
   double skin = 0;  // by which the reach of the index is wider
@@ -30,7 +38,7 @@ inline CrowdShape any_shape(Rng &rng, size_t count) {
   CrowdShape shape;
   shape.dimension = rng.integer(2, 3);
   shape.periodic = rng.chance(0.5);
-  shape.outlier = !shape.periodic && rng.chance(0.3);
+  if (rng.chance(0.4)) shape.filling = shape.periodic || rng.chance(0.5) ? Filling::kCorner : Filling::kOutlier;
   shape.count = count;
   return shape;
 }
@@ -48,12 +56,18 @@ class Crowd {
     Rng rng(seed);
     particles.dimension = shape.dimension;
     const double edge = std::pow(static_cast<double>(shape.count), 1.0 / shape.dimension);
+    const bool corner = shape.filling == Filling::kCorner || shape.filling == Filling::kGiants;
+    const double filled = corner ? 0.05 * kEdge : kEdge;
     for (size_t i = 0; i < shape.count; i++) {
       double center[3];
-      for (double &x : center) x = kEdge * rng.uniform();
-      if (shape.outlier && i == 0) center[0] = 1e9;
+      for (double &x : center)
+        x = corner ? std::fmod(kEdge + filled * (rng.uniform() - 0.5), kEdge) : kEdge * rng.uniform();
+      if (shape.filling == Filling::kOutlier && i == 0) center[0] = 1e9;
       // A periodic box allows no reach above half its edge.
-      particles.add(center, kEdge * std::min(0.3 / std::sqrt(1 - 0.99 * rng.uniform()) / edge, 0.2));
+      const bool giants = shape.filling == Filling::kGiants, dust = giants && rng.chance(0.5);
+      const double spread = giants ? 0.9 : 0.99;  // giants share a level or two, dust has the finest one for itself
+      const double radius = filled * std::min(0.3 / std::sqrt(1 - spread * rng.uniform()) / edge, 0.2);
+      particles.add(center, dust ? 1e-6 * radius : radius);
     }
     store.insert(shape.count, particles.centers.data(), particles.radii.data());
     build(1);
