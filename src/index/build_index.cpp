@@ -146,7 +146,7 @@ class Builder {
           std::max({most_wraps, std::fabs(domain.wraps(axis, x.least)), std::fabs(domain.wraps(axis, x.greatest))});
     }
     const FixedPoint map = FixedPoint::wrapping(spread_of(store_, domain), domain, largest, most_wraps);
-    if (largest * map.scale >= kWorthSqueezing || !any_open) return map;
+    if (largest * map.scale >= kWorthSqueezing || !any_open || gap > SqueezedAxes::kLongestGap) return map;
     const Bounds squeezed = index_.squeezed.squeeze(store_, domain, gap);
     input.centers = index_.squeezed.centers();
     return FixedPoint::wrapping(squeezed, domain, largest, most_wraps);

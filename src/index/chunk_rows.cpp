@@ -345,13 +345,13 @@ void ChunkRows::find_corner(const ChunkLevel &level, size_t chunk, double *corne
 
 void ChunkRows::find_place(const PointArrays &points, uint32_t particle, size_t chunk, const double *corner,
                            int dimension, double *place) const {
-  const int32_t *x[3] = {points.x, points.y, points.z};
   for (int axis = 0; axis < dimension; axis++) {
     if (particle >= giant_begin_) {
       place[axis] = giant_place(axis, particle);
       continue;
     }
-    place[axis] = corner[axis] + static_cast<double>(near_difference(x[axis][particle], origin(axis)[chunk]));
+    const int32_t x = coordinates(points, axis)[particle];
+    place[axis] = corner[axis] + static_cast<double>(near_difference(x, origin(axis)[chunk]));
   }
 }
 

@@ -22,7 +22,11 @@ class SqueezedAxes {
         other_(memory),
         runs_{Buffer<Run>(memory), Buffer<Run>(memory), Buffer<Run>(memory)} {}
 
-  // Squeezes all open axes so that no gap is longer than `gap`, and tells the bounds that centers() have then.
+  // As many gaps as there may be particles (ChunkRows::kMostParticles) are no infinite length.
+  static constexpr double kLongestGap = 0x1p990;
+
+  // Squeezes all open axes so that no gap is longer than `gap`, up to kLongestGap, and tells the bounds that centers()
+  // have then.
   Bounds squeeze(const ParticleStore &store, const Domain &domain, double gap);
   void release() { in_use_ = false; }
 

@@ -22,6 +22,10 @@ struct PointArrays {
   const Image *image;  // which periodic image the points stand for; NULL: kNoImage, all of them
 };
 
+static inline const int32_t *coordinates(const PointArrays &points, int axis) {
+  return axis == 0 ? points.x : (axis == 1 ? points.y : points.z);
+}
+
 // One of them, in one load of 16 bytes.
 struct Point {
   int32_t x, y, z;

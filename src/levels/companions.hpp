@@ -9,7 +9,7 @@
 
 namespace hg {
 
-// Beyond so many a widened table does not pay, and the level keeps sparse rows instead.
+// Beyond so many a widened table does not pay, and chunks of rows take its place.
 inline constexpr double kMostCompanions = 4;
 
 // Radii above `above` and up to `up_to` belong to the level.

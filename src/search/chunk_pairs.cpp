@@ -72,7 +72,6 @@ void ChunkPairs::gather_images(const SearchTask &task, uint32_t begin, Searchers
 
 void ChunkPairs::set_box(const SearchTask &task, Searchers &searchers) const {
   ChunkGroup &group = searchers.points;
-  const int32_t *x[3] = {points_.x, points_.y, points_.z};
   const float largest = *std::max_element(points_.radius + group.begin, points_.radius + group.end);
   const double base = index_.interaction.with_rule([&](auto rule) {
     return rule.base(static_cast<double>(largest),
@@ -80,10 +79,11 @@ void ChunkPairs::set_box(const SearchTask &task, Searchers &searchers) const {
   });
   const double reach = base * static_cast<double>(kSearchScale);
   for (int axis = 0; axis < index_.domain.dimension; axis++) {
+    const int32_t *x = coordinates(points_, axis);
     int32_t least = 0, most = 0;
-    group.place[axis] = x[axis][group.begin];
+    group.place[axis] = x[group.begin];
     for (uint32_t i = group.begin; i < group.end; i++) {
-      const int32_t offset = near_difference(x[axis][i], group.place[axis]);
+      const int32_t offset = near_difference(x[i], group.place[axis]);
       least = std::min(least, offset);
       most = std::max(most, offset);
     }

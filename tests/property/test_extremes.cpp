@@ -79,6 +79,33 @@ void check_lonely(uint64_t seed) {
 }
 void lonely_at_the_edge(void **) { assert_true(sweep(120, check_lonely)); }
 
+// A crowd of dust, and giants from one end of the doubles to the other, or nearly, as wide as doubles allow or less.
+void check_giants_at_both_ends(uint64_t seed) {
+  Rng rng(seed);
+  hg_grid_def def = hg_default_grid_def();
+  def.dimension = rng.integer(2, 3);
+  const double giant = std::pow(10, rng.uniform(290, 307.95)), dust = giant * std::pow(10, -rng.uniform(8, 20));
+  const double cells[2] = {2 * dust, 2 * giant};
+  def.level_rule = HG_LEVELS_USER;
+  def.level_count = 2;
+  def.cell_sizes = cells;
+  Particles particles;
+  particles.dimension = def.dimension;
+  for (int i = 0; i < 150; i++) {
+    double x[3];
+    for (double &coordinate : x) coordinate = rng.uniform(-5, 5) * dust;
+    particles.add(x, rng.uniform(0, 1) * dust);
+  }
+  const double far = std::min(giant * std::pow(10, rng.uniform(0, 3)), 1.79e308);
+  for (int i = 0; i < 12; i++) {
+    double x[3];
+    for (double &coordinate : x) coordinate = far * (rng.chance(0.5) ? rng.uniform(-1, 1) : rng.integer(-1, 1));
+    particles.add(x, giant);
+  }
+  require_both("giants", def, particles);
+}
+void giants_at_both_ends(void **) { assert_true(sweep(200, check_giants_at_both_ends)); }
+
 // A box of length 1 at 2^e: coordinates in it are multiples of 2^(e - 52), those far below it are finer. Pairs touch up
 // to a few of these, in the box and through its faces.
 void check_far_box(uint64_t seed) {
@@ -146,6 +173,7 @@ int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(squares_under_and_overflow),
                               cmocka_unit_test(enormous_offsets),
                               cmocka_unit_test(lonely_at_the_edge),
+                              cmocka_unit_test(giants_at_both_ends),
                               cmocka_unit_test(boxes_far_from_the_origin),
                               cmocka_unit_test(box_short_by_less_than_rounding),
                               cmocka_unit_test(reach_overflows)};

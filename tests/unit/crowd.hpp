@@ -17,10 +17,17 @@
 
 namespace hgtest {
 
+// All but kEven make the index chunked, if there are enough particles.
+enum class Filling {
+  kEven,
+  kOutlier,  // one particle far away
+  kCorner    // all around a corner of the box: one place where it is periodic, else several far apart
+};
+
 struct CrowdShape {
   int dimension = 3;
   bool periodic = false;
-  bool outlier = false;  // one particle far away, which makes the index chunked
+  Filling filling = Filling::kEven;
   size_t count = 0;
   hg::Interaction interaction;
   double skin = 0;  // by which the reach of the index is wider
@@ -30,7 +37,7 @@ inline CrowdShape any_shape(Rng &rng, size_t count) {
   CrowdShape shape;
   shape.dimension = rng.integer(2, 3);
   shape.periodic = rng.chance(0.5);
-  shape.outlier = !shape.periodic && rng.chance(0.3);
+  if (rng.chance(0.4)) shape.filling = shape.periodic || rng.chance(0.5) ? Filling::kCorner : Filling::kOutlier;
   shape.count = count;
   return shape;
 }
@@ -40,29 +47,25 @@ class Crowd {
   static constexpr double kEdge = 100;  // of the box
 
   Crowd(uint64_t seed, hg::Memory &memory, const CrowdShape &shape)
-      : index(memory, domain_of(shape), shape.interaction.widened(shape.skin)),
+      : Crowd(memory, box_of(shape), shape.interaction, shape.skin, particles_of(seed, shape)) {}
+  Crowd(hg::Memory &memory, const hg::Domain &domain, const hg::Interaction &interaction, double skin,
+        const Particles &of_particles, double level_ratio = 2)
+      : particles(of_particles),
+        index(memory, domain, interaction.widened(skin)),
         tasks(memory),
-        store(make_store(memory, index.domain, shape.interaction)),
-        overlap(shape.interaction, HG_EXACT, index.domain),
-        scratch_(memory) {
-    Rng rng(seed);
-    particles.dimension = shape.dimension;
-    const double edge = std::pow(static_cast<double>(shape.count), 1.0 / shape.dimension);
-    for (size_t i = 0; i < shape.count; i++) {
-      double center[3];
-      for (double &x : center) x = kEdge * rng.uniform();
-      if (shape.outlier && i == 0) center[0] = 1e9;
-      // A periodic box allows no reach above half its edge.
-      particles.add(center, kEdge * std::min(0.3 / std::sqrt(1 - 0.99 * rng.uniform()) / edge, 0.2));
-    }
-    store.insert(shape.count, particles.centers.data(), particles.radii.data());
+        store(make_store(memory, domain, interaction)),
+        overlap(interaction, HG_EXACT, domain),
+        scratch_(memory),
+        level_ratio_(level_ratio) {
+    store.insert(particles.count(), particles.centers.data(), particles.radii.data());
     build(1);
   }
 
   void build(int threads) {
     const hg::Bounds bounds = hg::bounds_of(store, index.domain, threads);
     const double coarsest = index.interaction.diameter(bounds.max_radius);
-    const double sizes[4] = {coarsest / 8, coarsest / 4, coarsest / 2, coarsest};
+    double sizes[4] = {0, 0, 0, coarsest};
+    for (int h = 3; h > 0; h--) sizes[h - 1] = sizes[h] / level_ratio_;
     if (store.slots() > 0) index.map = hg::FixedPoint::over(bounds, index.domain, coarsest);
     hg::build_index(index, scratch_, store, hg::user_levels(sizes, 4, index.interaction), threads);
     tasks.list(index);
@@ -76,10 +79,29 @@ class Crowd {
   Pairs pairs() const { return all_pairs(rule(), particles, exact_interact); }
 
  private:
-  static hg::Domain domain_of(const CrowdShape &shape) {
+  static hg::Domain box_of(const CrowdShape &shape) {
     hg::Domain domain = open_space(shape.dimension);
     for (int axis = 0; axis < shape.dimension; axis++) set_box(domain, axis, 0, kEdge, shape.periodic);
     return domain;
+  }
+
+  static Particles particles_of(uint64_t seed, const CrowdShape &shape) {
+    Rng rng(seed);
+    Particles particles;
+    particles.dimension = shape.dimension;
+    const double edge = std::pow(static_cast<double>(shape.count), 1.0 / shape.dimension);
+    const bool corner = shape.filling == Filling::kCorner;
+    const double filled = corner ? 0.05 * kEdge : kEdge;
+    for (size_t i = 0; i < shape.count; i++) {
+      double center[3];
+      for (double &x : center) {
+        x = corner ? std::fmod(kEdge + filled * (rng.uniform() - 0.5), kEdge) : kEdge * rng.uniform();
+      }
+      if (shape.filling == Filling::kOutlier && i == 0) center[0] = 1e9;
+      // A periodic box allows no reach above half its edge.
+      particles.add(center, filled * std::min(0.3 / std::sqrt(1 - 0.99 * rng.uniform()) / edge, 0.2));
+    }
+    return particles;
   }
 
  public:
@@ -91,6 +113,7 @@ class Crowd {
 
  private:
   hg::BuildScratch scratch_;
+  double level_ratio_;  // of the cell sizes of two levels
 };
 
 }  // namespace hgtest

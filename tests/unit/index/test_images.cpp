@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Periodic images: all that can reach into the box, each once, forward steps first.
+// Periodic images: all that can reach into the box, each once, forward steps first; where the box is filled evenly, and
+// where all lie in a small part of it, in chunks.
 #include "src/index/build_index.hpp"
 #include "src/particles/bounds.hpp"
 #include "tests/unit/checks.hpp"
@@ -38,12 +39,14 @@ class Scene {
         scratch_(memory),
         store_(make_store(memory, domain_)) {}
 
-  void check() {
+  // Whether the index is in chunks.
+  bool check(bool in_a_part) {
+    part_ = in_a_part ? 1.0 / 32 : 1;
     insert();
-    const double sizes[3] = {0.02, 0.1, 0.4};
+    const double sizes[4] = {1e-6 * part_, 0.02 * part_, 0.1 * part_, 0.4 * part_};
     const hg::Bounds bounds = hg::bounds_of(store_, domain_, 1);
     index_.map = hg::FixedPoint::over(bounds, domain_, 2 * bounds.max_radius);
-    hg::build_index(index_, scratch_, store_, hg::user_levels(sizes, 3, interaction_), 1);
+    hg::build_index(index_, scratch_, store_, hg::user_levels(sizes, 4, interaction_), 1);
     uint32_t begin = 0;
     for (int h = 0; h < index_.level_count; h++) {
       const IndexLevel &level = index_.levels[h];
@@ -54,6 +57,7 @@ class Scene {
       check_images(level);
       check_complete(level);
     }
+    return index_.chunked;
   }
 
  private:
@@ -69,15 +73,20 @@ class Scene {
 
   void insert() {
     std::vector<double> centers, radii;
-    const int count = rng_.integer(1, 300);
+    double begin[3];  // of the part of the box, across a face now and then
+    for (double &x : begin) x = rng_.chance(0.7) ? -0.5 * part_ : rng_.uniform();
+    const bool dust = rng_.chance(0.3);
+    const int count = rng_.integer(part_ < 1 ? 100 : 1, 300);
     for (int i = 0; i < count; i++) {
       for (int axis = 0; axis < domain_.dimension; axis++) {
         // At a face now and then.
         double x = rng_.chance(0.1) ? 0 : rng_.uniform(-2, 3);
         if (rng_.chance(0.1)) x = std::nextafter(1, 0);
+        if (part_ < 1) x = begin[axis] + part_ * rng_.uniform() + (domain_.periodic[axis] ? rng_.integer(-3, 3) : 0);
         centers.push_back(domain_.box_min[axis] + x * domain_.length[axis]);
       }
-      radii.push_back(rng_.chance(0.5) ? 0.2 * rng_.uniform() : 0.01 * rng_.uniform());
+      const double radius = part_ * (rng_.chance(0.5) ? 0.2 * rng_.uniform() : 0.01 * rng_.uniform());
+      radii.push_back(dust && rng_.chance(0.5) ? 1e-5 * radius : radius);
     }
     store_.insert(radii.size(), centers.data(), radii.data());
   }
@@ -88,15 +97,23 @@ class Scene {
       require(found_.insert(key).second, "slot %u has image %d twice", key.first, key.second);
       require(key.second != hg::kNoImage, "slot %u is its own image", key.first);
       require(is_forward(key.second) == (i < level.image_forward_end), "image %d is on the wrong side", key.second);
-      place_[key] = i;
+      at_[key] = i;
     }
   }
 
-  // Whether a particle at x, moved by `step`, comes within `distance` of the box.
-  bool reaches(int axis, int32_t x, int step, double distance) const {
+  // Where the search has the particle, and how long the box is, in quanta.
+  double place(int axis, uint32_t particle) const {
+    if (!index_.chunked) return index_.particles.column(axis)[particle];
+    return index_.map.place(axis, store_.center(index_.particles.slot[particle])[axis]);
+  }
+  double period(int axis) const { return index_.chunked ? index_.map.period_place(axis) : index_.map.period[axis]; }
+
+  // Whether a particle, moved by `step`, comes within `distance` of the box.
+  bool reaches(int axis, uint32_t particle, int step, double distance) const {
     if (step == 0) return true;
-    const double at = x + static_cast<double>(step) * index_.map.period[axis];
-    return domain_.periodic[axis] && at + distance >= 0 && at - distance <= index_.map.period[axis];
+    if (axis >= domain_.dimension || !domain_.periodic[axis]) return false;
+    const double at = place(axis, particle) + step * period(axis);
+    return at + distance >= 0 && at - distance <= period(axis);
   }
 
   void check_complete(const IndexLevel &level) {
@@ -108,14 +125,13 @@ class Scene {
         bool must = true, may = true;
         for (int axis = 0; axis < 3; axis++) {
           const int step = hg::image_step(image, axis);
-          const int32_t x = axis < domain_.dimension ? index_.particles.column(axis)[i] : 0;
-          must = must && reaches(axis, x, step, reach + 4);
-          may = may && reaches(axis, x, step, reach * 1.001 + 4096);
+          must = must && reaches(axis, i, step, reach + 4);
+          may = may && reaches(axis, i, step, reach * 1.001 + 4096);
         }
-        const auto found = place_.find({index_.particles.slot[i], image});
-        require(!must || found != place_.end(), "slot %u: image %d is missing", index_.particles.slot[i], image);
-        require(may || found == place_.end(), "slot %u: image %d is far off", index_.particles.slot[i], image);
-        if (found == place_.end()) continue;
+        const auto found = at_.find({index_.particles.slot[i], image});
+        require(!must || found != at_.end(), "slot %u: image %d is missing", index_.particles.slot[i], image);
+        require(may || found == at_.end(), "slot %u: image %d is far off", index_.particles.slot[i], image);
+        if (found == at_.end()) continue;
         images++;
         check_one(i, found->second, image);
       }
@@ -126,9 +142,10 @@ class Scene {
 
   void check_one(uint32_t particle, uint32_t at, hg::Image image) {
     for (int axis = 0; axis < domain_.dimension; axis++) {
-      const int32_t expected =
-          index_.particles.column(axis)[particle] + hg::image_step(image, axis) * index_.map.period[axis];
-      require(index_.images.column(axis)[at] == expected, "image %d: coordinate %d", image, axis);
+      const double expected = place(axis, particle) + hg::image_step(image, axis) * period(axis);
+      const auto wrapped = static_cast<int32_t>(static_cast<uint32_t>(static_cast<int64_t>(expected)));
+      require(index_.images.column(axis)[at] == wrapped, "image %d: coordinate %d", image, axis);
+      require(!index_.chunked || index_.image_place[axis][at] == expected, "image %d: place %d", image, axis);
     }
     require(index_.images.radius[at] == index_.particles.radius[particle], "image %d: radius", image);
   }
@@ -139,16 +156,24 @@ class Scene {
   Index index_;
   hg::BuildScratch scratch_;
   hg::ParticleStore store_;
+  double part_ = 1;  // of the box that particles are in
   std::set<Key> found_;
-  std::map<Key, uint32_t> place_;
+  std::map<Key, uint32_t> at_;
 };
 
-void check_scene(uint64_t seed) {
+bool check_scene(uint64_t seed, bool in_a_part) {
   hg::Memory memory(hg::system_allocator());
-  Scene(seed, memory).check();
+  return Scene(seed, memory).check(in_a_part);
 }
 
-void any_scenes(void **) { assert_true(sweep(200, check_scene)); }
+void evenly_filled(void **) {
+  assert_true(sweep(200, [](uint64_t seed) { check_scene(seed, false); }));
+}
+void in_chunks(void **) {
+  int chunked = 0;
+  assert_true(sweep(200, [&](uint64_t seed) { chunked += check_scene(seed, true) ? 1 : 0; }));
+  assert_true(chunked > 100);
+}
 
 void image_numbers(void **) {
   assert_true(holds(0, [](uint64_t) {
@@ -168,6 +193,7 @@ void image_numbers(void **) {
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(any_scenes), cmocka_unit_test(image_numbers)};
+  const CMUnitTest tests[] = {cmocka_unit_test(evenly_filled), cmocka_unit_test(in_chunks),
+                              cmocka_unit_test(image_numbers)};
   return cmocka_run_group_tests_name("images", tests, nullptr, nullptr);
 }

@@ -18,7 +18,6 @@ class Space {
   explicit Space(Rng &rng) : domain(open_space(rng.integer(2, 3))) {
     const double unit = std::ldexp(1.0, rng.chance(0.7) ? rng.integer(-30, 30) : rng.integer(-1074, 990));
     const double far = rng.chance(0.5) ? 0 : std::ldexp(rng.chance(0.5) ? unit : -unit, rng.integer(0, 30));
-    hg::Bounds bounds;
     for (int axis = 0; axis < domain.dimension; axis++) {
       const double low = far, high = far + unit * (rng.chance(0.2) ? 1 : rng.uniform(1, 2));
       set_box(domain, axis, low, high, high > low && rng.chance(0.4));
@@ -36,7 +35,13 @@ class Space {
     return x + (rng.chance(0.5) ? rng.integer(-2, 2) : rng.integer(-1048500, 1048500)) * domain.length[axis];
   }
 
+  // A map whose coordinates wrap, for particles that wide and as far outside the box as any.
+  hg::FixedPoint wrapping(double largest) const {
+    return hg::FixedPoint::wrapping(bounds, domain, largest, hg::kMaxWraps);
+  }
+
   hg::Domain domain;
+  hg::Bounds bounds;
   hg::FixedPoint map;
 };
 

@@ -3,15 +3,11 @@
 // The search kernels against brute force on integers, where floats are weakest: at the far end of the space, in the
 // smallest cells. Every instruction set that this machine runs must give the pairs of the scalar one, in its order.
 #include "src/space/level_cells.hpp"
-#include "tests/unit/kernels/kernel_sets.hpp"
-#include "tests/unit/kernels/plain_test.hpp"
-#include "tests/unit/kernels/recorder.hpp"
+#include "tests/unit/kernels/search_check.hpp"
 #include "tests/unit/plain_cells.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -21,38 +17,16 @@ using namespace hgtest;
 using hg::CellTable;
 using hg::KernelSet;
 using hg::kPadding;
-using hg::PointArrays;
-
-struct Points {
-  std::array<std::vector<int32_t>, 3> x;
-  std::vector<float> radius;
-  std::vector<uint32_t> slot;
-  std::vector<hg::Image> image;  // none: no point is an image
-  uint32_t count = 0;
-
-  void add(const int32_t *at, float r, uint32_t s) {
-    for (int axis = 0; axis < 3; axis++) x[axis].push_back(at[axis]);
-    radius.push_back(r);
-    slot.push_back(s);
-    count++;
-  }
-  hg::Point point(size_t i) const { return {x[0][i], x[1][i], x[2][i], radius[i]}; }
-  PointArrays arrays() const {
-    return {x[0].data(), x[1].data(), x[2].data(), radius.data(), slot.data(), image.empty() ? nullptr : image.data()};
-  }
-  void pad() {
-    for (auto &column : x) column.resize(count + kPadding);
-    slot.resize(count + kPadding);
-    radius.resize(count + kPadding);
-  }
-};
 
 constexpr uint32_t kFirstPoint = 1000;  // slot of the first point that is not a particle of the level
 
 class Scene {
  public:
   explicit Scene(uint64_t seed)
-      : rng_(seed), dimension_(rng_.integer(2, 3)), interaction_(rng_.chance(0.5) ? HG_CONTACT : HG_MAX_RANGE) {
+      : rng_(seed),
+        dimension_(rng_.integer(2, 3)),
+        interaction_(rng_.chance(0.5) ? HG_CONTACT : HG_MAX_RANGE),
+        check_(interaction_) {
     lay();
     make_cluster();
     fill_table();
@@ -62,12 +36,12 @@ class Scene {
     const auto run = [&](const KernelSet &set, hg::PairStream *stream) {
       return kernel(set).own_level(particles_.arrays(), 0, particles_.count, table_, stream);
     };
-    search(run);
+    check_.search(run);
     for (size_t i = 0; i < particles_.count; i++) {
-      for (size_t j = i + 1; j < particles_.count; j++) check_pair(particles_, i, j);
+      for (size_t j = i + 1; j < particles_.count; j++) check_.check_pair(particles_, i, particles_, j);
     }
-    require_nothing_else();
-    check_decisions(run);
+    check_.require_nothing_else();
+    check_.check_decisions(run);
   }
 
   // Points of coarser levels and periodic images, which may lie outside the particles' bounds.
@@ -77,16 +51,16 @@ class Scene {
     const auto run = [&](const KernelSet &set, hg::PairStream *stream) {
       return kernel(set).cross_level(points.arrays(), 0, points.count, table_, particles_.arrays(), stream);
     };
-    const Sent sent = search(run);
+    const Sent sent = check_.search(run);
     for (size_t k = 0; k < sent.asked.size(); k++) {
       const auto point = static_cast<size_t>(sent.asked[k].a) - kFirstPoint;
       require(point < points.count && sent.images[k] == points.image[point], "another image is asked about");
     }
     for (size_t i = 0; i < points.count; i++) {
-      for (size_t j = 0; j < particles_.count; j++) check_pair(points, i, j);
+      for (size_t j = 0; j < particles_.count; j++) check_.check_pair(points, i, particles_, j);
     }
-    require_nothing_else();
-    check_decisions(run);
+    check_.require_nothing_else();
+    check_.check_decisions(run);
   }
 
   void check_stopping() {
@@ -202,69 +176,6 @@ class Scene {
     particles_.pad();
   }
 
-  // The same from all sets: the pairs, their order and what is left undecided.
-  template <class Run>
-  Sent run_all(const RecorderRules &rules, Run &&run) {
-    Sent first;
-    for (const KernelSet *set : kernel_sets()) {
-      Recorder recorder(rules);
-      require(run(*set, recorder.stream()), "%s: stopped", set->name);
-      const Sent sent = recorder.finish();
-      if (set == &hg::kScalarKernels) first = sent;
-      require(sent == first, "%s: %zu pairs instead of the scalar kernel's %zu, or another order", set->name,
-              sent.pairs.size(), first.pairs.size());
-    }
-    return first;
-  }
-
-  template <class Run>
-  Sent search(Run &&run) {
-    Sent sent = run_all({}, run);
-    found_ = sorted(sent.pairs.data(), sent.pairs.size());
-    asked_.clear();
-    for (const hg_pair &pair : sent.asked) asked_.push_back(ordered(pair.a, pair.b));
-    std::sort(asked_.begin(), asked_.end(), pair_less);
-    require(std::adjacent_find(found_.begin(), found_.end(), pair_equal) == found_.end(), "a pair came twice");
-    expected_ = 0;
-    return sent;
-  }
-
-  // With everything undecided, what a judge takes out is gone, and the other pairs stay in their order.
-  template <class Run>
-  void check_decisions(Run &&run) {
-    RecorderRules rules;
-    rules.band_constant = std::numeric_limits<float>::infinity();
-    const Sent all = run_all(rules, run);
-    require(all.asked.size() == all.pairs.size() && static_cast<int64_t>(all.pairs.size()) == all.candidates,
-            "%zu of %lld candidates are undecided", all.asked.size(), static_cast<long long>(all.candidates));
-    rules.id_offset = 1;
-    rules.interact = [](const hg::UndecidedPair &pair) { return (pair.a * 7 + pair.b) % 3 != 0; };
-    Pairs kept;
-    for (size_t k = 0; k < all.pairs.size(); k++) {
-      const auto a = static_cast<uint32_t>(all.asked[k].a), b = static_cast<uint32_t>(all.asked[k].b);
-      if ((a * 7 + b) % 3 != 0) kept.push_back({all.pairs[k].a + 1, all.pairs[k].b + 1});
-    }
-    require_pairs("decided", run_all(rules, run).pairs, kept);
-  }
-
-  static hg_pair ordered(int32_t a, int32_t b) { return a < b ? hg_pair{a, b} : hg_pair{b, a}; }
-
-  // Pair (i of points, j of the particles): is what the kernels say about it true?
-  void check_pair(const Points &points, size_t i, size_t j) {
-    const hg_pair pair = ordered(static_cast<int32_t>(points.slot[i]), static_cast<int32_t>(particles_.slot[j]));
-    const bool found = std::binary_search(found_.begin(), found_.end(), pair, pair_less);
-    const bool asked = std::binary_search(asked_.begin(), asked_.end(), pair, pair_less);
-    const hg::Point a = points.point(i), b = particles_.point(j);
-    const Verdict verdict = plain_test(a, b, interaction_, hg::kBandConstant);
-    expected_ += found ? 1 : 0;
-    require(!found || verdict.possible, "found against the fast test");
-    require(!found || asked == !verdict.sure, "asked about a sure pair, or not about another");
-    require_truthful(a, b, interaction_, {found, found && !asked});
-  }
-  void require_nothing_else() {
-    require(expected_ == found_.size(), "%zu pairs, of which %zu exist", found_.size(), expected_);
-  }
-
   Rng rng_;
   int dimension_;
   int32_t interaction_;
@@ -272,9 +183,8 @@ class Scene {
   double reach_ = 0;
   CellTable table_{};
   std::vector<uint32_t> cell_begin_;
+  SearchCheck check_;
   Points particles_;
-  Pairs found_, asked_;
-  size_t expected_ = 0;
 };
 
 void own_level(void **) {

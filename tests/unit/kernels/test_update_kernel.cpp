@@ -1,87 +1,19 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The update kernels of every instruction set that this machine runs: where points are now, in rational numbers, and
-// whether one of them has used up its room, to the last quantum.
-#include "tests/unit/checks.hpp"
+// whether one of them has used up its room, to the last quantum. Where coordinates wrap: test_far_update_kernel.cpp.
 #include "tests/unit/exact_place.hpp"
 #include "tests/unit/kernels/any_space.hpp"
-#include "tests/unit/kernels/kernel_sets.hpp"
+#include "tests/unit/kernels/moving_points.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace {
 
 using namespace hgtest;
-
-constexpr hg::Point kUntouched = {-77, -78, -79, -80.0f};
-
-bool same_point(const hg::Point &p, const hg::Point &q) {
-  return p.x == q.x && p.y == q.y && p.z == q.z && p.radius == q.radius;
-}
-
-// Points in a shuffled order of their particles, and the room that they have.
-struct Points {
-  explicit Points(size_t number, int dimensions)
-      : dimension(static_cast<size_t>(dimensions)),
-        centers(number * dimension),
-        radii(number, 0),
-        slot(number),
-        radius(number, 0) {
-    std::iota(slot.begin(), slot.end(), 0u);
-    for (auto &column : x) column.resize(number);
-  }
-  void shuffle(Rng &rng) {
-    for (size_t k = slot.size(); k > 1; k--) std::swap(slot[k - 1], slot[rng.below(k)]);
-  }
-  double &center(size_t p, size_t axis) { return centers[slot[p] * dimension + axis]; }
-  double &radius_now(size_t p) { return radii[slot[p]]; }
-
-  hg::UpdateInput input(bool with_radii) const {
-    return {centers.data(),
-            with_radii ? radii.data() : nullptr,
-            slot.data(),
-            {x[0].data(), x[1].data(), x[2].data()},
-            {nullptr, nullptr, nullptr},
-            radius.data(),
-            map,
-            extra,
-            extra_wide,
-            room};
-  }
-
-  size_t dimension;
-  std::vector<double> centers, radii;
-  std::vector<uint32_t> slot;
-  std::vector<int32_t> x[3];  // at the start
-  std::vector<float> radius;  // likewise
-  hg::FixedPoint map;
-  double extra = 0, extra_wide = 0;
-  float room = 0;
-};
-
-// The verdict, the same from all sets, and the points if it is true; points outside [begin, end) stay as they are.
-bool update(const Points &points, bool with_radii, size_t begin, size_t end, std::vector<hg::Point> &now) {
-  bool first = false;
-  for (const hg::KernelSet *set : kernel_sets()) {
-    std::vector<hg::Point> moved(points.slot.size(), kUntouched);
-    const bool near = set->update[points.dimension - 2](points.input(with_radii), begin, end, moved.data());
-    if (set == &hg::kScalarKernels) {
-      first = near;
-      now = moved;
-    }
-    require(near == first, "%s: %d instead of %d", set->name, near, first);
-    for (size_t p = 0; p < moved.size(); p++) {
-      const bool inside = p >= begin && p < end;
-      require(inside || same_point(moved[p], kUntouched), "%s: point %zu, outside the range, is written", set->name, p);
-      require(!inside || !near || same_point(moved[p], now[p]), "%s: point %zu differs", set->name, p);
-    }
-  }
-  return first;
-}
 
 // ---- any spaces: places and verdicts in real arithmetic
 

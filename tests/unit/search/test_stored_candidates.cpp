@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Stored candidates against the oracle: what is collected, what of it interacts after any motion within the skin,
-// through faces of the box too, when a particle has gone too far, and when candidates are too many.
+// through faces of the box too, when a particle has gone too far, and when candidates are too many; in chunks, too.
 #include "src/search/candidate_filter.hpp"
 #include "src/search/skin.hpp"
 #include "src/search/stored_candidates.hpp"
@@ -84,7 +84,8 @@ class Run {
     half_ = 0.5 * shape_.skin * (1 - 0x1p-19) - 20 / crowd_.index.map.scale;
   }
 
-  void check() {
+  // Whether the index is in chunks.
+  bool check() {
     require(stored_.collect() && candidates_.kept() && !candidates_.moved(), "nothing was kept");
     check_points();
     check_collected();
@@ -99,6 +100,7 @@ class Run {
       check_interacting();
     }
     check_too_far();
+    return crowd_.index.chunked;
   }
 
  private:
@@ -212,10 +214,17 @@ class Run {
     }
   }
 
-  // One particle has moved or grown by half the skin and a little more.
+  // By 2^32 quanta, which coordinates that wrap cannot tell from nothing, unless these are about as many whole boxes.
+  double jump() const {
+    const double length = 0x1p32 / crowd_.index.map.scale;
+    const double left = shape_.periodic ? std::fabs(std::remainder(length, Crowd::kEdge)) : length;
+    return left > shape_.skin ? length : 0;
+  }
+
+  // One particle has moved or grown by half the skin and a little more, or jumped.
   void check_too_far() {
-    const bool by_growth = rng_.chance(0.5);
-    const double more = 0.5 * shape_.skin + 20 / crowd_.index.map.scale;
+    const bool by_growth = rng_.chance(0.5), by_jump = !by_growth && rng_.chance(0.5);
+    const double more = by_jump && jump() > 0 ? jump() : 0.5 * shape_.skin + 20 / crowd_.index.map.scale;
     const size_t who = rng_.below(start_.count());
     crowd_.particles = start_;
     if (by_growth) {
@@ -245,7 +254,9 @@ class Run {
 };
 
 void any_motion(void **) {
-  assert_true(sweep(150, [](uint64_t seed) { Run(seed).check(); }));
+  int in_chunks = 0;
+  assert_true(sweep(300, [&](uint64_t seed) { in_chunks += Run(seed).check() ? 1 : 0; }));
+  assert_true(in_chunks > 40);
 }
 
 // A particle that has left through some faces sees images as from the box that it is in now.
@@ -254,7 +265,8 @@ void check_leaving(uint64_t seed) {
   CrowdShape shape;
   shape.dimension = rng.integer(2, 3);
   shape.periodic = true;
-  shape.count = 1 + rng.below(20);
+  shape.filling = rng.chance(0.5) ? Filling::kEven : Filling::kCorner;
+  shape.count = 1 + rng.below(shape.filling == Filling::kEven ? 20 : 150);
   shape.skin = 4;
   Stored stored(seed, shape);
   const auto dimension = static_cast<size_t>(shape.dimension);
@@ -323,10 +335,12 @@ void check_too_many(uint64_t) {
 void check_threads(uint64_t seed) {
   Rng rng(seed);
   CrowdShape shape = any_shape(rng, 21000);
-  shape.outlier = false;
-  shape.skin = 0.5;
+  shape.filling = seed % 2 == 0 ? Filling::kEven : Filling::kCorner;
+  const double step_length = seed % 2 == 0 ? 0.05 : 0.005;
+  shape.skin = 10 * step_length;
   Stored alone(seed, shape), together(seed, shape, 3);
   require(alone.collect() && together.collect(), "nothing was kept");
+  require(alone.crowd.index.chunked == (shape.filling == Filling::kCorner), "chunks: %d", alone.crowd.index.chunked);
   for (int step = 0; step < 2; step++) {
     const size_t count = alone.candidates.count(), points = alone.crowd.store.slots() + alone.crowd.index.image_count();
     require(count > 40000 && together.candidates.count() == count, "%zu candidates instead of %zu",
@@ -340,7 +354,7 @@ void check_threads(uint64_t seed) {
     for (Stored *stored : {&alone, &together}) {
       hg::PairOrder order(stored->memory);
       stored->candidates.ascend(order);
-      for (double &x : stored->crowd.particles.centers) x += 0.05 * std::sin(1000 * x);
+      for (double &x : stored->crowd.particles.centers) x += step_length * std::sin(1000 * x);
       stored->crowd.move();
       require(stored->candidates.update(stored->crowd.store, step == 1), "motion within the skin is refused");
     }
@@ -359,7 +373,7 @@ void check_threads(uint64_t seed) {
 }
 
 void too_many(void **) { assert_true(holds(0, check_too_many)); }
-void threads(void **) { assert_true(sweep(2, check_threads)); }
+void threads(void **) { assert_true(sweep(4, check_threads)); }
 
 }  // namespace
 

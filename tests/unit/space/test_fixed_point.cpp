@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Fixed-point coordinates against rational numbers, for extents and distances from the origin of all sizes.
+// Fixed-point coordinates against rational numbers, for extents and distances from the origin of all sizes; and those
+// that wrap.
 #include "src/space/fixed_point.hpp"
 #include "tests/unit/checks.hpp"
 #include "tests/unit/domains.hpp"
@@ -166,12 +167,125 @@ void widest(void **) { assert_true(holds(0, check_widest)); }
 void monotone(void **) { assert_true(sweep(500, check_monotone)); }
 void periodic(void **) { assert_true(sweep(500, check_periodic)); }
 
+// ---- coordinates that wrap
+
+// Boxes and open axes of any size, with particles up to `most_wraps` boxes outside.
+struct WrappingScene {
+  explicit WrappingScene(Rng &rng) : most_wraps(std::floor(std::pow(2, rng.uniform(0, 20)))) {
+    const double unit = std::ldexp(1.0, rng.chance(0.7) ? rng.integer(-30, 30) : rng.integer(-1074, 1022));
+    domain = open_space(rng.integer(2, 3));
+    if (rng.chance(0.2)) most_wraps = 0;
+    for (int axis = 0; axis < domain.dimension; axis++) {
+      const double low = rng.chance(0.3) ? 0 : unit * rng.uniform(-1, 1) * (unit < 1e290 ? 1e6 : 1);
+      const double width = unit * rng.uniform() * (rng.chance(0.2) ? 1e-9 : 1);
+      set_box(domain, axis, low, low + width, low + width > low && rng.chance(0.5));
+      bounds.min[axis] = domain.periodic[axis] ? 0 : low;
+      bounds.max[axis] = domain.periodic[axis] ? domain.length[axis] : low + width;
+    }
+    largest = rng.chance(0.1) ? 0 : unit * std::pow(10, rng.uniform(-18, 2));
+  }
+
+  // As far outside as the map is made for; on a face now and then.
+  double any_center(Rng &rng, int axis) const {
+    const double low = domain.box_min[axis], high = domain.box_max[axis], length = domain.length[axis];
+    const double x = rng.chance(0.1) ? (rng.chance(0.5) ? low : high) : std::min(low + rng.uniform() * length, high);
+    if (!domain.periodic[axis]) return x;
+    const double far = x + std::rint(rng.uniform(-1, 1) * most_wraps) * length;
+    return std::fabs(domain.wraps(axis, far)) <= most_wraps ? far : x;
+  }
+
+  Domain domain;
+  Bounds bounds;
+  double largest = 0, most_wraps;
+};
+
+// Whole quanta are as fine as the largest particle and the widest axis allow.
+void require_wrapping_scale(const WrappingScene &scene, const FixedPoint &map) {
+  int exponent = 0;
+  require(std::frexp(map.scale, &exponent) == 0.5, "the scale %a is no power of two", map.scale);
+  double widest = 0, farthest = 0;
+  for (int axis = 0; axis < scene.domain.dimension; axis++) {
+    require(map.extent[axis] >= 0 && map.extent[axis] <= 0x1p48, "extent[%d] = %g", axis, map.extent[axis]);
+    widest = std::max(widest, 0.5 * scene.bounds.max[axis] - 0.5 * scene.bounds.min[axis]);
+    if (scene.domain.periodic[axis]) farthest = std::max(farthest, scene.domain.length[axis] / 8);
+  }
+  const bool fine = 0.5 * scene.largest * map.scale > 0x1p23, spread = widest * map.scale > 0x1p45;
+  const bool wrapped = farthest * (scene.most_wraps + 1) * map.scale > 0x1p45;
+  require(0.5 * scene.largest * map.scale < 0x1p25, "a particle is %g quanta wide", scene.largest * map.scale);
+  require(fine || spread || wrapped || map.scale == 1 || map.scale == 0x1p1000, "coarse without need: %a", map.scale);
+}
+
+int32_t lowest_word(double whole) {
+  return static_cast<int32_t>(static_cast<uint32_t>(static_cast<uint64_t>(static_cast<int64_t>(whole))));
+}
+
+void check_period(const WrappingScene &scene, const FixedPoint &map, int axis) {
+  const double period = map.period_place(axis);
+  const mpq_class exact = (mpq_class(scene.domain.box_max[axis]) - mpq_class(scene.domain.box_min[axis])) * map.scale;
+  require(period == std::rint(period) && abs(exact - period) <= mpq_class(0.5 + 0x1p-5), "period[%d]: %g instead of %g",
+          axis, period, exact.get_d());
+  require(map.period[axis] == lowest_word(period), "period[%d] does not wrap as places do", axis);
+}
+
+// A place is whole, near the exact one, and its lowest bits are the coordinate.
+void check_place(Rng &rng, const WrappingScene &scene, const FixedPoint &map, int axis) {
+  const double x = scene.any_center(rng, axis), place = map.place(axis, x);
+  require(place == std::rint(place) && place >= 0 && place <= 0x1p48, "axis %d: %a is at %g", axis, x, place);
+  const Domain &domain = scene.domain;
+  const mpq_class low(domain.periodic[axis] ? domain.box_min[axis] : scene.bounds.min[axis]);
+  mpq_class error = (mpq_class(x) - low) * mpq_class(map.scale) - mpq_class(place);
+  const mpq_class most(0.5 + (domain.periodic[axis] ? 0.375 : 0x1p-5));
+  if (domain.periodic[axis]) {
+    const mpq_class length = (mpq_class(domain.box_max[axis]) - low) * map.scale;
+    error -= floor_of(error / length + mpq_class(1, 2)) * length;
+  }
+  require(abs(error) <= most, "axis %d: the place of %a is off by %g quanta", axis, x, error.get_d());
+  require(hg::low_word(place) == lowest_word(place), "axis %d: coordinate of place %g", axis, place);
+  require(static_cast<double>(hg::whole_bits(place)) == place, "axis %d: bits of place %g", axis, place);
+
+  // Near places have the difference of their coordinates, images too.
+  const double near = std::min(std::max(place + rng.integer(-0x7fffffff, 0x7fffffff), 0.0), 0x1p48);
+  if (std::fabs(near - place) < 0x1p31) {
+    require(hg::near_difference(hg::low_word(near), hg::low_word(place)) == near - place, "%g - %g", near, place);
+  }
+  const int step = rng.integer(-1, 1);
+  require(
+      hg::moved_by(hg::low_word(place), step, map.period[axis]) == lowest_word(place + step * map.period_place(axis)),
+      "axis %d: %g moved by %d periods", axis, place, step);
+}
+
+void check_wrapping(uint64_t seed) {
+  Rng rng(seed);
+  const WrappingScene scene(rng);
+  const FixedPoint map = FixedPoint::wrapping(scene.bounds, scene.domain, scene.largest, scene.most_wraps);
+  require_wrapping_scale(scene, map);
+  for (int axis = 0; axis < scene.domain.dimension; axis++) {
+    if (scene.domain.periodic[axis]) check_period(scene, map, axis);
+    for (int n = 0; n < 20; n++) check_place(rng, scene, map, axis);
+  }
+}
+
+// The nearest of three images, on either side of half a period.
+void check_boxes_back(uint64_t) {
+  for (const double period : {1.0, 7.0, 0x1p31, 0x1p48}) {
+    for (const double share : {-1.0, -0.75, -0.51, -0.49, -0.1, 0.0, 0.3, 0.49, 0.51, 1.0}) {
+      const double moved = share * period, back = hg::boxes_back(moved, period);
+      require(std::fabs(moved + back * period) <= 0.5 * period, "%g periods are brought back by %g", share, back);
+      require(back == -std::rint(share), "%g periods are brought back by %g", share, back);
+    }
+  }
+}
+
+void wrapping(void **) { assert_true(sweep(3000, check_wrapping)); }
+void boxes_back(void **) { assert_true(holds(0, check_boxes_back)); }
+
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(ordinary), cmocka_unit_test(extreme),  cmocka_unit_test(coincident),
-      cmocka_unit_test(widest),   cmocka_unit_test(monotone), cmocka_unit_test(periodic),
+      cmocka_unit_test(ordinary), cmocka_unit_test(extreme),    cmocka_unit_test(coincident),
+      cmocka_unit_test(widest),   cmocka_unit_test(monotone),   cmocka_unit_test(periodic),
+      cmocka_unit_test(wrapping), cmocka_unit_test(boxes_back),
   };
   return cmocka_run_group_tests_name("fixed_point", tests, nullptr, nullptr);
 }
