@@ -92,9 +92,11 @@ class Scene {
       require(length == std::rint(length) && length == static_cast<double>(static_cast<float>(length)),
               "level %d: %g is no whole float", h, length);
     }
-    require(level.cell >= 0.5 * diameter + 256, "level %d: cells of %g for diameters of %g", h, level.cell, diameter);
-    require(level.slack >= 256 && level.row_width >= 2 * diameter + 4 * level.slack, "level %d: rows of %g", h,
-            level.row_width);
+    require(level.slack >= 16 + 0x1p-15 * level.cell, "level %d: a slack of %g for cells of %g", h, level.slack,
+            level.cell);
+    require(level.cell >= 0.5 * diameter + level.slack * (1 - 0x1p-40), "level %d: cells of %g for diameters of %g", h,
+            level.cell, diameter);
+    require(level.row_width >= 2 * diameter + 4 * level.slack, "level %d: rows of %g", h, level.row_width);
     double low[3] = {0, 0, 0}, high[3] = {0, 0, 0}, longest = 0;
     bool any = false;
     for (size_t i = 0; i < particles_->count(); i++) {
@@ -218,8 +220,10 @@ class Scene {
               chunk, before);
       for (int axis = 0; axis < 3; axis++) {
         require(corner[axis] == corner_[chunk][static_cast<size_t>(axis)], "another corner");
-        const double low = std::clamp(box.low[axis] - level.slack, level.space.low[axis], level.space.high[axis]);
-        const double high = std::clamp(box.high[axis] + level.slack, level.space.low[axis], level.space.high[axis]);
+        const double low =
+            std::clamp(box.low[axis] - hg::kFarSlack - level.slack, level.space.low[axis], level.space.high[axis]);
+        const double high =
+            std::clamp(box.high[axis] + hg::kFarSlack + level.slack, level.space.low[axis], level.space.high[axis]);
         require(corner[axis] <= high && corner[axis] + length(chunk, axis) >= low, "axis %d: chunk %zu is far away",
                 axis, chunk);
       }

@@ -101,7 +101,7 @@ class Scene {
     FarShape shape;
     shape.dimension = rng_.integer(2, 3);
     const double diameter = rng_.chance(0.2) ? 0x1p26 - 1 : std::floor(std::pow(2, rng_.uniform(0, 26)));
-    const double most = rng_.chance(0.2) ? 0x1p48 : std::min(0x1p48, 0x1p28 * std::max(0.5 * diameter, 256.0));
+    const double most = rng_.chance(0.2) ? 0x1p46 : std::min(0x1p46, 0x1p28 * std::max(0.5 * diameter, 256.0));
     for (int axis = 0; axis < shape.dimension; axis++) {
       shape.extent[axis] = std::floor(rng_.chance(0.5) ? most : most * std::pow(2, -rng_.uniform(0, 16)));
     }

@@ -53,7 +53,7 @@ class FarMotion {
   }
 
  private:
-  static constexpr double kFarthest = 0x1p48;  // quanta that motion may be cut off at
+  static constexpr double kFarthest = 0x1p46;  // quanta that motion may be cut off at
 
   double &start(size_t p, size_t axis) { return starts_[p * points_.dimension + axis]; }
 

@@ -205,11 +205,11 @@ void require_wrapping_scale(const WrappingScene &scene, const FixedPoint &map) {
   require(std::frexp(map.scale, &exponent) == 0.5, "the scale %a is no power of two", map.scale);
   double widest = 0, farthest = 0;
   for (int axis = 0; axis < scene.domain.dimension; axis++) {
-    require(map.extent[axis] >= 0 && map.extent[axis] <= 0x1p48, "extent[%d] = %g", axis, map.extent[axis]);
+    require(map.extent[axis] >= 0 && map.extent[axis] <= 0x1p46, "extent[%d] = %g", axis, map.extent[axis]);
     widest = std::max(widest, 0.5 * scene.bounds.max[axis] - 0.5 * scene.bounds.min[axis]);
     if (scene.domain.periodic[axis]) farthest = std::max(farthest, scene.domain.length[axis] / 8);
   }
-  const bool fine = 0.5 * scene.largest * map.scale > 0x1p23, spread = widest * map.scale > 0x1p45;
+  const bool fine = 0.5 * scene.largest * map.scale > 0x1p23, spread = widest * map.scale > 0x1p43;
   const bool wrapped = farthest * (scene.most_wraps + 1) * map.scale > 0x1p45;
   require(0.5 * scene.largest * map.scale < 0x1p25, "a particle is %g quanta wide", scene.largest * map.scale);
   require(fine || spread || wrapped || map.scale == 1 || map.scale == 0x1p1000, "coarse without need: %a", map.scale);
@@ -230,7 +230,7 @@ void check_period(const WrappingScene &scene, const FixedPoint &map, int axis) {
 // A place is whole, near the exact one, and its lowest bits are the coordinate.
 void check_place(Rng &rng, const WrappingScene &scene, const FixedPoint &map, int axis) {
   const double x = scene.any_center(rng, axis), place = map.place(axis, x);
-  require(place == std::rint(place) && place >= 0 && place <= 0x1p48, "axis %d: %a is at %g", axis, x, place);
+  require(place == std::rint(place) && place >= 0 && place <= 0x1p46, "axis %d: %a is at %g", axis, x, place);
   const Domain &domain = scene.domain;
   const mpq_class low(domain.periodic[axis] ? domain.box_min[axis] : scene.bounds.min[axis]);
   mpq_class error = (mpq_class(x) - low) * mpq_class(map.scale) - mpq_class(place);
@@ -244,7 +244,7 @@ void check_place(Rng &rng, const WrappingScene &scene, const FixedPoint &map, in
   require(static_cast<double>(hg::whole_bits(place)) == place, "axis %d: bits of place %g", axis, place);
 
   // Near places have the difference of their coordinates, images too.
-  const double near = std::min(std::max(place + rng.integer(-0x7fffffff, 0x7fffffff), 0.0), 0x1p48);
+  const double near = std::min(std::max(place + rng.integer(-0x7fffffff, 0x7fffffff), 0.0), 0x1p46);
   if (std::fabs(near - place) < 0x1p31) {
     require(hg::near_difference(hg::low_word(near), hg::low_word(place)) == near - place, "%g - %g", near, place);
   }
@@ -267,7 +267,7 @@ void check_wrapping(uint64_t seed) {
 
 // The nearest of three images, on either side of half a period.
 void check_boxes_back(uint64_t) {
-  for (const double period : {1.0, 7.0, 0x1p31, 0x1p48}) {
+  for (const double period : {1.0, 7.0, 0x1p31, 0x1p46}) {
     for (const double share : {-1.0, -0.75, -0.51, -0.49, -0.1, 0.0, 0.3, 0.49, 0.51, 1.0}) {
       const double moved = share * period, back = hg::boxes_back(moved, period);
       require(std::fabs(moved + back * period) <= 0.5 * period, "%g periods are brought back by %g", share, back);
