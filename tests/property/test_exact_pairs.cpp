@@ -35,7 +35,13 @@ int main() {
       cmocka_unit_test((any_sizes<2, Places::kLine>)),       cmocka_unit_test((any_sizes<3, Places::kLine>)),
       cmocka_unit_test((any_sizes<2, Places::kPlane>)),      cmocka_unit_test((any_sizes<3, Places::kPlane>)),
       cmocka_unit_test((any_sizes<2, Places::kDiagonal>)),   cmocka_unit_test((any_sizes<3, Places::kDiagonal>)),
+      cmocka_unit_test((any_sizes<2, Places::kFilaments>)),  cmocka_unit_test((any_sizes<3, Places::kFilaments>)),
+      cmocka_unit_test((any_sizes<2, Places::kDust>)),       cmocka_unit_test((any_sizes<3, Places::kDust>)),
+      cmocka_unit_test((any_sizes<2, Places::kFilm>)),       cmocka_unit_test((any_sizes<3, Places::kFilm>)),
+      cmocka_unit_test((any_sizes<2, Places::kFarPair>)),    cmocka_unit_test((any_sizes<3, Places::kFarPair>)),
+      cmocka_unit_test((any_sizes<2, Places::kScales>)),     cmocka_unit_test((any_sizes<3, Places::kScales>)),
       cmocka_unit_test((any_sizes<2, Places::kOutlier>)),    cmocka_unit_test((any_sizes<3, Places::kOutlier>)),
+      cmocka_unit_test((any_sizes<2, Places::kOutliers>)),   cmocka_unit_test((any_sizes<3, Places::kOutliers>)),
       cmocka_unit_test((any_sizes<2, Places::kFarOrigin>)),  cmocka_unit_test((any_sizes<3, Places::kFarOrigin>)),
       cmocka_unit_test((any_sizes<2, Places::kCoincident>)), cmocka_unit_test((any_sizes<3, Places::kCoincident>)),
       cmocka_unit_test((any_sizes<2, Places::kLattice>)),    cmocka_unit_test((any_sizes<3, Places::kLattice>))};

@@ -46,8 +46,9 @@ void orders_threads_and_repeats(void **) { assert_true(sweep(150, check_orders))
 void check_large(uint64_t seed) {
   Rng rng(seed);
   const Sizes sizes = static_cast<Sizes>(seed % kSizesCount);
+  constexpr Places kOpen[] = {Places::kUniform, Places::kFilaments, Places::kScales};
   Scene scene =
-      seed % 2 == 0 ? periodic_scene(rng, 3, 5, 5000, sizes) : open_scene(rng, 3, 5000, sizes, Places::kUniform);
+      seed % 2 == 0 ? periodic_scene(rng, 3, 5, 5000, sizes) : open_scene(rng, 3, 5000, sizes, kOpen[seed / 2 % 3]);
   const Pairs expected = all_pairs(scene.def, scene.particles, exact_interact);
   Pairs with_one_thread;
   for (int32_t threads : {1, 2, 3, 8}) {

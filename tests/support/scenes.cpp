@@ -10,8 +10,9 @@ namespace hgtest {
 namespace {
 
 constexpr const char *kSizesNames[] = {"mono", "two", "uniform", "uniform-volume", "steep", "log-uniform", "some-zero"};
-constexpr const char *kPlacesNames[] = {"uniform",  "negative", "clusters",   "plummer",    "line",   "plane",
-                                        "diagonal", "outlier",  "far-origin", "coincident", "lattice"};
+constexpr const char *kPlacesNames[] = {"uniform",  "negative",  "clusters",   "plummer",    "line",     "plane",
+                                        "diagonal", "filaments", "dust",       "film",       "far-pair", "scales",
+                                        "outlier",  "outliers",  "far-origin", "coincident", "lattice"};
 static_assert(sizeof kSizesNames / sizeof *kSizesNames == kSizesCount, "a name for each size law");
 static_assert(sizeof kPlacesNames / sizeof *kPlacesNames == kPlacesCount, "a name for each arrangement");
 
@@ -34,11 +35,42 @@ Point plummer(Rng &rng, double core) {
   return {{radius * w * std::cos(phi), radius * w * std::sin(phi), radius * z}};
 }
 
-// `edge` is the cube that would hold the particles closely; groups share it between them.
-Point draw_place(Rng &rng, Places places, double edge, const std::vector<Point> &groups) {
+// The next place of a walk, now and then anywhere in the cube.
+Point step_from(Rng &rng, const Point &last, double length, double edge) {
+  if (rng.chance(0.02)) return in_cube(rng, edge);
+  Point p = last;
+  for (double &x : p.x) x += length * rng.uniform(-1, 1);
+  return p;
+}
+
+// What places are drawn in.
+struct Ground {
+  int dimension;
+  double edge;  // of the cube that would hold the particles closely; groups share it between them
+  double unit;  // as long as the largest particles
+  std::vector<Point> groups;
+  Point last;  // of a walk
+};
+
+Point draw_place(Rng &rng, Places places, const Ground &ground) {
+  const double edge = ground.edge;
   Point p = in_cube(rng, edge);
-  const Point &group = groups[rng.below(groups.size())];
+  const Point &group = ground.groups[rng.below(ground.groups.size())];
+  const int thin = ground.dimension - 1;
   switch (places) {
+    case Places::kFilaments:
+      p = step_from(rng, ground.last, ground.unit, 4 * edge);
+      break;
+    case Places::kDust:
+      p = step_from(rng, ground.last, ground.unit / (1e-6 + rng.uniform()), edge);
+      break;
+    case Places::kFilm:
+      p.x[thin] = 0.3 * p.x[0] + (thin == 2 ? 0.2 * p.x[1] : 0) + 1e-3 * p.x[thin];
+      for (double &x : p.x) x *= 2;
+      break;
+    case Places::kFarPair:
+      if (rng.chance(0.5)) p = {{p.x[0] + 1e6 * edge, p.x[1] - 1e6 * edge, p.x[2]}};
+      break;
     case Places::kNegative:
       for (double &x : p.x) x -= 2 * edge;
       break;
@@ -64,7 +96,9 @@ Point draw_place(Rng &rng, Places places, double edge, const std::vector<Point> 
       p = group;
       break;
     case Places::kUniform:
+    case Places::kScales:
     case Places::kOutlier:
+    case Places::kOutliers:
     case Places::kLattice:
       break;
   }
@@ -85,6 +119,23 @@ std::vector<Point> draw_groups(Rng &rng, Places places, double edge) {
     for (Point &g : groups) g = in_cube(rng, 2 * edge);
   }
   return groups;
+}
+
+// Each part of the particles to a part of the cube, with their radii, so small that they stay as dense as they are.
+void shrink_groups(Rng &rng, Particles &particles, double edge) {
+  const auto dimension = static_cast<size_t>(particles.dimension);
+  for (size_t i = 0; i < particles.count();) {
+    const size_t end = std::min(particles.count(), i + 1 + rng.below(80));
+    const double share = std::pow(10, rng.uniform(-6, 0));
+    const Point corner = in_cube(rng, edge);
+    for (; i < end; i++) {
+      particles.radii[i] *= share;
+      for (size_t k = 0; k < dimension; k++) {
+        double &x = particles.centers[i * dimension + k];
+        x = corner.x[k] + 0.5 * share * x;
+      }
+    }
+  }
 }
 
 Particles lattice(Rng &rng, int dimension, size_t count, double unit) {
@@ -112,17 +163,20 @@ void draw_options(Rng &rng, Scene &scene) {
   if (rng.chance(0.4)) def.margin = rng.uniform(0, 0.2) * largest;
 }
 
-// Periodic axes of the mask: near the origin or far from it, of like lengths or one a million times the others.
+// Periodic axes of the mask: near the origin or far from it, of like lengths or one a million times the others, as long
+// as the particles need or longer.
 void draw_box(Rng &rng, Scene &scene, int axes) {
   const int dimension = scene.particles.dimension;
   const double shortest = 2.000001 * largest_reach(scene.def, scene.particles) + 1e-300;
   std::vector<double> &centers = scene.particles.centers;
-  const double edge = centers.empty() ? 1 : *std::max_element(centers.begin(), centers.end());
+  double edge = centers.empty() ? 1 : 0;
+  for (const double x : centers) edge = std::max(edge, std::fabs(x));
   const double shift = rng.chance(0.3) ? std::pow(10, rng.uniform(3, 9)) * edge : 0;
   const int long_axis = rng.chance(0.2) ? rng.integer(0, dimension - 1) : -1;
+  const double empty = rng.chance(0.3) ? std::pow(10, rng.uniform(0, 5)) : 1;
   for (int k = 0; k < dimension; k++) {
     if ((axes >> k & 1) == 0) continue;
-    const double length = std::max(rng.uniform(0.8, 1.2) * edge, shortest) * (k == long_axis ? 1e6 : 1);
+    const double length = std::max(rng.uniform(0.8, 1.2) * edge, shortest) * empty * (k == long_axis ? 1e6 : 1);
     scene.def.periodic[k] = 1;
     scene.def.box_min[k] = rng.uniform(-2, 2) * edge + shift;
     scene.def.box_max[k] = scene.def.box_min[k] + length;
@@ -174,9 +228,16 @@ Particles draw_particles(Rng &rng, int dimension, size_t count, Sizes sizes, Pla
     volume += std::pow(2 * r, dimension);
   }
   const double edge = std::max(unit, rng.uniform(0.7, 1.5) * std::pow(volume, 1.0 / dimension));
-  const std::vector<Point> groups = draw_groups(rng, places, edge);
-  for (double r : radii) particles.add(draw_place(rng, places, edge, groups).x, r);
+  Ground ground{dimension, edge, unit, draw_groups(rng, places, edge), in_cube(rng, edge)};
+  for (double r : radii) {
+    ground.last = draw_place(rng, places, ground);
+    particles.add(ground.last.x, r);
+  }
+  if (places == Places::kScales) shrink_groups(rng, particles, edge);
   if (places == Places::kOutlier && count > 0) particles.centers[0] = 1e9 * edge;
+  for (double &x : particles.centers) {
+    if (places == Places::kOutliers && rng.chance(0.02)) x += edge * std::pow(10, rng.uniform(1, 120));
+  }
   return particles;
 }
 
@@ -196,7 +257,8 @@ double largest_reach(const hg_grid_def &def, const Particles &particles) {
 
 Scene periodic_scene(Rng &rng, int dimension, int axes, size_t count, Sizes sizes) {
   Scene scene;
-  scene.particles = draw_particles(rng, dimension, count, sizes, Places::kUniform);
+  const auto places = rng.chance(0.7) ? Places::kUniform : static_cast<Places>(rng.below(kPlacesCount));
+  scene.particles = draw_particles(rng, dimension, count, sizes, places);
   draw_options(rng, scene);
   draw_box(rng, scene, axes);
   for (size_t i = 0; i < scene.particles.count(); i++) {
@@ -207,7 +269,8 @@ Scene periodic_scene(Rng &rng, int dimension, int axes, size_t count, Sizes size
       if (rng.chance(0.2)) x += rng.integer(-1000, 1000) * length;
     }
   }
-  scene.name = describe(scene, sizes, "periodic axes ") + std::to_string(axes);
+  scene.name =
+      describe(scene, sizes, kPlacesNames[static_cast<int>(places)]) + " periodic axes " + std::to_string(axes);
   return scene;
 }
 

@@ -24,7 +24,13 @@ enum class Places {
   kLine,        // along one axis
   kPlane,       // in 2D as kLine
   kDiagonal,    // all coordinates equal
+  kFilaments,   // walks with steps as long as particles are wide
+  kDust,        // walks whose steps have no typical length, up to 1e6 sizes
+  kFilm,        // near one tilted plane, or line
+  kFarPair,     // two groups 1e6 sizes apart
+  kScales,      // groups whose particles are all smaller than those of others, down to 1e-6
   kOutlier,     // one particle far from all others
+  kOutliers,    // some, at distances up to 1e120 sizes
   kFarOrigin,   // the whole set 1e15 sizes from the origin: coordinates are coarse
   kCoincident,  // few points with many particles each
   kLattice      // equal spheres that exactly touch, or do so up to rounding
@@ -54,7 +60,8 @@ Particles draw_particles(Rng &rng, int dimension, size_t count, Sizes sizes, Pla
 // A scene on open axes with random threads, margin, interaction and index base.
 Scene open_scene(Rng &rng, int dimension, size_t count, Sizes sizes, Places places);
 
-// A scene with the axes of the bit mask periodic; some particles lie many periods outside the box.
+// A scene with the axes of the bit mask periodic; some particles lie many periods outside the box. Particles fill it
+// evenly or, in any arrangement, a part of it.
 Scene periodic_scene(Rng &rng, int dimension, int axes, size_t count, Sizes sizes);
 
 // Any of these, with any level rule.
