@@ -48,6 +48,28 @@ for law in mono two-sizes uniform-size uniform-volume; do
   done
 done
 
+# Periodic boxes: all others get images; `--open` takes them away again. Uneven worlds, by name.
+for options in "--dimension 3 --periodic xyz" "--dimension 3 --periodic y" "--dimension 2 --periodic xy"; do
+  # shellcheck disable=SC2086
+  "$hgrid" pack --ratio 4 --count 3000 --sweeps 10 $options --output box.csv >/dev/null || fault "packing $options"
+  "$compare" box.csv --repeats 1 --csv world.csv --only 'library/grid-exact/best/1' '[!l]*' 'lammps-*' >out.txt 2>&1 ||
+    fault "$options: $(cat out.txt)"
+  [ "$(field pairs world.csv | sort -u)" = "$(contacts box.csv)" ] || fault "$options: $(cat out.txt)"
+  [ "$(contacts box.csv)" -gt "$(contacts box.csv --open)" ] || fault "$options: no pair across the box"
+  "$compare" box.csv --open --repeats 1 --csv world.csv --only 'plain/*' >out.txt 2>&1 || fault "--open: $(cat out.txt)"
+  [ "$(field pairs world.csv)" = "$(contacts box.csv --open)" ] || fault "--open: $(cat out.txt)"
+done
+"$compare" mono:1:2000:film uniform-volume:3:1000:part-across --beside mono:1:900 --repeats 1 --csv world.csv \
+  --only 'library/grid-exact/best/1' '[!l]*' >out.txt 2>&1 || fault "worlds by name: $(cat out.txt)"
+[ "$(field system world.csv | uniq | tr '\n' ' ')" = "film-mono mono part-across-uniform-volume mono " ] ||
+  fault "worlds by name: $(field system world.csv | uniq)"
+[ "$(field verdict world.csv | sort -u)" = "same pairs" ] || fault "worlds by name: $(cat out.txt)"
+# What a program cannot do is told with its reason, and is no fault of the pairs.
+"$compare" mono:1:20000 --only 'classical/*' --memory 0.001 --csv world.csv >out.txt 2>&1 ||
+  fault "out of memory: $(cat out.txt)"
+[ "$(field verdict world.csv)" = "broke down: exit code 1: classical : std::bad_alloc" ] ||
+  fault "out of memory: $(field verdict world.csv)"
+
 # The sweeps, on systems made on the way, and what is drawn and written from them.
 for sweep in size ratio levels threads skin; do
   "$compare" --sweep "$sweep" mono:1:600 uniform-volume:4:1000 --repeats 1 --csv "$sweep.csv" >out.txt 2>&1 ||
