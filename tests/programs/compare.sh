@@ -85,6 +85,18 @@ done
 "$python" "$bench/plot/table.py" times.csv >table.md 2>out.txt || fault "table.py: $(cat out.txt)"
 grep -q '^| set, ' table.md || fault "table.py: $(cat table.md)"
 
+# The table and the picture of worlds.
+HGRID_WORLD_COUNT=4000 HGRID_WORLD_REPEATS=1 "$bench/worlds.sh" "$(dirname "$(dirname "$compare")")" worlds table \
+  mono part-across far >out.txt 2>&1 || fault "worlds.sh: $(cat out.txt)"
+[ "$(field world table/worlds.csv | tr '\n' ' ')" = "mono part-across far " ] || fault "worlds: $(cat table/worlds.csv)"
+[ "$(field reference table/worlds.csv | tr '\n' ' ')" = " part-open mono " ] || fault "references: $(cat table/worlds.csv)"
+awk -F, 'NR > 1 && !($5 > 0 && (NR == 2 || $8 > 0)) { exit 1 }' table/worlds.csv || fault "times: $(cat table/worlds.csv)"
+"$bench/worlds.sh" "$(dirname "$(dirname "$compare")")" worlds table nowhere >out.txt 2>&1 && fault "a world that is none"
+grep -q 'no world is called nowhere' out.txt || fault "the world is not named: $(cat out.txt)"
+"$python" "$bench/plot/worlds.py" --output pictures table/worlds.csv >worlds.md 2>out.txt || fault "worlds.py: $(cat out.txt)"
+grep -q '^| part across | 4' worlds.md || fault "worlds.py: $(cat worlds.md)"
+"$python" -c 'import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])' pictures/worlds.svg || fault "worlds.svg is no XML"
+
 "$compare" no/such.csv >out.txt 2>&1 && fault "a missing file is no failure"
 grep -q 'no/such.csv' out.txt || fault "the missing file is not named: $(cat out.txt)"
 "$compare" mono:1:x >out.txt 2>&1 && fault "a count that is no number is no failure"
