@@ -82,12 +82,10 @@ struct Task {
   std::unique_ptr<bench::Reference> reference;
 };
 
-std::unique_ptr<Task> task_of(const Options &options, const std::string &source) {
-  const bench::Sweep &sweep = sweep_of(options.sweep);
+std::unique_ptr<Task> task_of(const Options &options, const std::string &source, bool moves) {
   auto task = std::make_unique<Task>();
   task->system = load(options, source);
-  const bool moves = sweep.steps > 0;
-  if (moves) task->end = where_steps_end(sweep, task->system.particles);
+  if (moves) task->end = where_steps_end(sweep_of(options.sweep), task->system.particles);
   task->reference = std::make_unique<bench::Reference>(moves ? task->end : task->system.particles);
   return task;
 }
@@ -95,11 +93,11 @@ std::unique_ptr<Task> task_of(const Options &options, const std::string &source)
 class Comparison {
  public:
   explicit Comparison(const Options &options) : options_(&options), isas_(bench::usable_instruction_sets()) {
-    if (!options.beside.empty()) beside_ = task_of(options, options.beside);
+    if (!options.beside.empty()) beside_ = task_of(options, options.beside, false);
   }
 
   void measure(const std::string &source) {
-    const std::unique_ptr<Task> task = task_of(*options_, source);
+    const std::unique_ptr<Task> task = task_of(*options_, source, sweep_of(options_->sweep).steps > 0);
     std::vector<bench::Contestant> contestants = contestants_of(*options_, task->system, isas_);
     if (contestants.empty()) throw CLI::ValidationError("--only", "no contestant matches, see --list");
     drop_those_that_gave_up(contestants);

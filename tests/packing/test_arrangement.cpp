@@ -3,6 +3,7 @@
 // What holds for every arrangement of the table: count, sizes, reproducibility, and that space is stretched with them.
 #include "packing/arrangement.hpp"
 #include "packing/packing.hpp"
+#include "tests/packing/bytes.hpp"
 #include "tests/particles/page.hpp"
 #include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
@@ -11,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -96,32 +96,15 @@ bool any_count_is_laid() {
   });
 }
 
-bool same_bytes(const std::vector<double> &a, const std::vector<double> &b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
-
 bool same_seed_same_bytes() {
   return for_uneven([](const Arrangement &arrangement, int dimension) {
     packing::Request request = request_of(arrangement, packing::law_with("uniform-volume", 8), dimension);
     const particles::ParticleSet one = packing::lay_particles(request), again = packing::lay_particles(request);
     request.seed = kSeed + 1;
     const particles::ParticleSet other = packing::lay_particles(request);
-    return same_bytes(one.centers, again.centers) && same_bytes(one.radii, again.radii) &&
-           !same_bytes(one.centers, other.centers) && !same_bytes(one.radii, other.radii);
+    return test::same_bytes(one.centers, again.centers) && test::same_bytes(one.radii, again.radii) &&
+           !test::same_bytes(one.centers, other.centers) && !test::same_bytes(one.radii, other.radii);
   });
-}
-
-// FNV-1a over the bit patterns, coordinates first.
-uint64_t hash_of(const particles::ParticleSet &set) {
-  uint64_t hash = 0xcbf29ce484222325u;
-  for (const std::vector<double> *values : {&set.centers, &set.radii}) {
-    for (const double value : *values) {
-      uint64_t bits = 0;
-      std::memcpy(&bits, &value, sizeof bits);
-      for (int k = 0; k < 8; k++) hash = (hash ^ ((bits >> (8 * k)) & 255u)) * 0x100000001b3u;
-    }
-  }
-  return hash;
 }
 
 struct Hashes {
@@ -143,7 +126,7 @@ constexpr Hashes kHashes[] = {
 bool bytes_stay_what_they_were() {
   return for_uneven([](const Arrangement &arrangement, int dimension) {
     const auto request = request_of(arrangement, packing::law_with("uniform-volume", 8), dimension);
-    const uint64_t hash = hash_of(packing::lay_particles(request));
+    const uint64_t hash = test::hash_of(packing::lay_particles(request));
     const auto row = std::find_if(std::begin(kHashes), std::end(kHashes),
                                   [&](const Hashes &hashes) { return arrangement.name == std::string(hashes.name); });
     if (row != std::end(kHashes) && hash == (dimension == 2 ? row->flat : row->solid)) return true;
