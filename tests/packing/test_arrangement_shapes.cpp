@@ -7,6 +7,7 @@
 
 #include <hgrid/hgrid.hpp>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -204,16 +205,28 @@ bool is_film(int d) {
   return good;
 }
 
+// The middle of the sphere that fits best: x^2 = 2 m.x + constant for all x on it.
+Eigen::VectorXd middle_of_sphere(const World &world) {
+  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(world.d() + 1, world.d() + 1);
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(world.d() + 1);
+  for (size_t i = 0; i < world.count(); i++) {
+    Eigen::VectorXd row(world.d() + 1);
+    row << world.place(i), 1;
+    squares += row * row.transpose();
+    sums += row * world.place(i).squaredNorm();
+  }
+  return 0.5 * squares.ldlt().solve(sums).head(world.d());
+}
+
 bool is_shell(int d) {
   const World world("shell", d, 20000);
-  const Eigen::VectorXd middle = world.mean(), spread = world.principal_axes().eigenvalues();
+  const Eigen::VectorXd middle = middle_of_sphere(world), spread = world.principal_axes().eigenvalues();
   double low = INFINITY, high = 0;
   for (size_t i = 0; i < world.count(); i++) {
     low = std::min(low, (world.place(i) - middle).norm());
     high = std::max(high, (world.place(i) - middle).norm());
   }
-  const double off = 4 * high / std::sqrt(static_cast<double>(world.count()));  // of the middle
-  return within("thickness", high - low, 3.9, 4 + 2 * off) && within("hollow", low / (high - low), 8, 1e9) &&
+  return within("thickness", high - low, 3.98, 4.1) && within("hollow", low / (high - low), 8, 1e9) &&
          near("roundness", spread[0] / spread[d - 1], 1, 0.05);
 }
 
@@ -260,10 +273,10 @@ bool has_outliers(int d) {
 }
 
 bool is_dust(int d) {
-  const World world("dust", d, 20000);
-  return within("dimension", world.correlation_dimension(10, 100), 1.1, 1.6) &&
-         within("and farther", world.correlation_dimension(100, 1000), 1.0, 1.7) &&
-         within("extent", world.extent(0), 1e3, 1e9);
+  const World world("dust", d, 8000);
+  return within("dimension", world.correlation_dimension(2, 20), 1.1, 1.6) &&
+         within("and farther", world.correlation_dimension(20, 200), 1.0, 1.7) &&
+         within("extent", world.extent(0), 500, 1e9);
 }
 
 bool has_scales(int d) {
