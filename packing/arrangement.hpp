@@ -1,59 +1,33 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Where in the box particles are thrown: evenly, or as unevenly as nature may have it.
+// Where particles lie: evenly in a box, or as unevenly as worlds are.
 #pragma once
 
-#include "packing/box.hpp"
-#include "packing/random.hpp"
+#include "packing/arrangements/places.hpp"
 
-#include <array>
 #include <string>
 #include <vector>
 
 namespace packing {
 
-enum class Arrangement { kEven, kClusters, kFilm, kShell, kCrowded };
-
-// Draws centres. Each arrangement has its own way, a member whose centres may still be too near to a wall.
-class Thrower {
- public:
-  // `box` and `random` must outlive the thrower.
-  Thrower(Arrangement arrangement, const Box &box, Random &random);
-
-  // A centre in the box, no nearer to a wall than `radius`.
-  void operator()(double radius, double *center);
-
-  void everywhere(double radius, double *center);
-  void into_clusters(double radius, double *center);
-  void into_film(double radius, double *center);
-  void into_shell(double radius, double *center);
-  void into_crowd(double radius, double *center);
-
- private:
-  Vector draw_direction();
-  bool in_cluster(const std::array<double, 3> &middle, double *center);
-
-  void (Thrower::*draw_)(double radius, double *center);
-  const Box &box_;
-  Random &random_;
-  std::vector<std::array<double, 3>> clusters_;  // their middles, drawn when the first particle is thrown
-};
-
-struct ArrangementRow {
-  Arrangement arrangement;
+struct Arrangement {
   const char *name;    // the word of `hgrid pack --arrangement`
   const char *places;  // where particles are, in words
-  // The share of the box that particles are thrown into: a density is understood to be that in this part.
-  double (*share)(int dimension);
-  void (Thrower::*draw)(double radius, double *center);
+  double density;      // the usual one, of what is filled
+  // Lays all places; null: even, thrown into a box and pushed apart. Only that takes walls, periodic axes and sweeps.
+  void (*lay)(Places &places);
+  bool takes_density = true;  // else nothing is filled
+
+  bool is_even() const { return lay == nullptr; }
 };
 
-// All arrangements: what is offered, described and thrown comes from here.
-const std::vector<ArrangementRow> &arrangements();
+// All arrangements: what is offered, described, refused and laid comes from here. The first is the even one.
+const std::vector<Arrangement> &arrangements();
 
-const ArrangementRow &row_of(Arrangement arrangement);
+// For help: the usual density, by arrangement where it is another.
+std::string usual_densities();
 
-// Throws particles::Error naming it if there is no such arrangement.
-Arrangement arrangement_from_name(const std::string &name);
+// Throws particles::Error naming it if there is none.
+const Arrangement &arrangement_called(const std::string &name);
 
 }  // namespace packing

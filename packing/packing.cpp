@@ -4,6 +4,7 @@
 #include "packing/packing.hpp"
 
 #include "packing/placement.hpp"
+#include "packing/portable_math.hpp"
 #include "particles/error.hpp"
 #include "particles/text/number.hpp"
 
@@ -30,6 +31,26 @@ void check_box(const Box &box, double largest_radius) {
     throw particles::Error("the periodic box (edge " + text(edge) + ") is shorter than two of the largest diameter (" +
                            text(2 * largest_radius) + "): raise the count or lower the density");
   }
+}
+
+std::vector<double> ascending_radii(const Request &request, Random &random) {
+  return sample_radii(request.law, request.count, request.random_offset ? random.uniform() : request.offset);
+}
+
+// The particles at the places, wrapped into their box if they have one.
+particles::ParticleSet in_its_box(Places &places, double scale, std::vector<double> radii) {
+  const int dimension = places.dimension();
+  particles::ParticleSet set;
+  set.dimension = dimension;
+  if (places.box_edge() > 0) {
+    const Box box(dimension, Vector::Constant(scale * places.box_edge()), {true, true, true});
+    set = box.empty_set();
+    for (Vector &center : places.centers()) box.wrap(center);
+  }
+  for (const Vector &center : places.centers())
+    set.centers.insert(set.centers.end(), center.data(), center.data() + dimension);
+  set.radii = std::move(radii);
+  return set;
 }
 
 }  // namespace
@@ -60,22 +81,40 @@ Beginning begin_packing(const Request &request) {
   check_request(request);
   const int dimension = request.law.dimension;
   Random random(request.seed);
-  std::vector<double> radii =
-      sample_radii(request.law, request.count, request.random_offset ? random.uniform() : request.offset);
-  const double density = request.density * row_of(request.arrangement).share(dimension);
-  const double edge = box_edge(radii, density, dimension);
-  const Box box(dimension, Vector::Constant(edge), request.periodic);
+  std::vector<double> radii = ascending_radii(request, random);
+  const Box box(dimension, Vector::Constant(box_edge(radii, request.density, dimension)), request.periodic);
   check_box(box, radii.back());
   shuffle(radii, random);
   return {box, std::move(radii), random};
 }
 
+particles::ParticleSet lay_particles(const Request &request) {
+  check_request(request);
+  const int dimension = request.law.dimension;
+  Random random(request.seed);
+  std::vector<double> radii = ascending_radii(request, random);
+  // The radius of the sphere of mean volume.
+  const double scale =
+      root(volume_of(radii, dimension) / (unit_ball(dimension) * static_cast<double>(radii.size())), dimension);
+  shuffle(radii, random);
+  Places places(dimension, request.count, request.density, random);
+  request.arrangement->lay(places);
+  shuffle(places.centers(), random);
+  for (Vector &center : places.centers()) center *= scale;
+  return in_its_box(places, scale, std::move(radii));
+}
+
 Packing make_packing(const Request &request, const SweepObserver &observe) {
-  Beginning beginning = begin_packing(request);
   Packing packing;
+  if (!request.arrangement->is_even()) {
+    packing.particles = lay_particles(request);
+    packing.overlaps = exact_overlaps(packing.particles);
+    return packing;
+  }
+  Beginning beginning = begin_packing(request);
   packing.particles = beginning.box.empty_set();
   packing.particles.radii = std::move(beginning.radii);
-  place_at_random(beginning.box, request.arrangement, beginning.random, packing.particles);
+  place_at_random(beginning.box, beginning.random, packing.particles);
   packing.overlaps = relax(beginning.box, request.sweeps, observe, packing.particles);
   return packing;
 }

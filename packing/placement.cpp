@@ -20,8 +20,17 @@ constexpr double kClassRatio = 2.5;
 constexpr int kMostThrows = 10000;
 constexpr int kClassSweeps = 20;
 
+// A centre in the box, no nearer to a wall than `radius`.
+void throw_center(const Box &box, double radius, Random &random, double *center) {
+  for (int axis = 0; axis < box.dimension(); axis++) {
+    const double low = box.is_periodic(axis) ? 0 : radius;
+    const double high = box.is_periodic(axis) ? box.edge(axis) : box.edge(axis) - radius;
+    center[axis] = box.keep(axis, low + random.uniform() * (high - low), radius);
+  }
+}
+
 // The members' centres are thrown and they join `placed`, whose centres `larger` holds.
-void place_class(Thrower &thrower, hgrid::Grid &larger, const std::vector<double> &radii,
+void place_class(const Box &box, Random &random, hgrid::Grid &larger, const std::vector<double> &radii,
                  particles::ParticleSet &placed) {
   const size_t d = static_cast<size_t>(placed.dimension);
   for (const double radius : radii) {
@@ -29,7 +38,7 @@ void place_class(Thrower &thrower, hgrid::Grid &larger, const std::vector<double
     int throws = 0;
     do {
       if (++throws > kMostThrows) throw particles::Error("no room left for a particle: lower the density");
-      thrower(radius, center);
+      throw_center(box, radius, random, center);
     } while (!larger.query_sphere(center, 0).empty());
     placed.centers.insert(placed.centers.end(), center, center + d);
     placed.radii.push_back(radius);
@@ -38,8 +47,7 @@ void place_class(Thrower &thrower, hgrid::Grid &larger, const std::vector<double
 
 }  // namespace
 
-void place_at_random(const Box &box, Arrangement arrangement, Random &random, particles::ParticleSet &set) {
-  Thrower thrower(arrangement, box, random);
+void place_at_random(const Box &box, Random &random, particles::ParticleSet &set) {
   set.centers.assign(set.count() * static_cast<size_t>(box.dimension()), 0.0);
   std::vector<size_t> order(set.count());
   std::iota(order.begin(), order.end(), size_t{0});
@@ -54,7 +62,7 @@ void place_at_random(const Box &box, Arrangement arrangement, Random &random, pa
     for (auto i = first; i != last; i++) radii.push_back(set.radii[*i]);
     hgrid::Grid larger(def);
     particles::insert(placed, larger);
-    place_class(thrower, larger, radii, placed);
+    place_class(box, random, larger, radii, placed);
     if (last != order.end()) relax(box, kClassSweeps, nullptr, placed);
     first = last;
   }

@@ -3,14 +3,14 @@
 // Random centres to start a packing from.
 #pragma once
 
-#include "packing/arrangement.hpp"
 #include "packing/box.hpp"
 #include "packing/random.hpp"
 
 namespace packing {
 
-// Throws the particles of `set` (radii given, box as `box`) at random, large ones first. A centre that falls into
-// a much larger particle is thrown again: relaxation could not bring it out in a few sweeps. All other overlaps stay.
-void place_at_random(const Box &box, Arrangement arrangement, Random &random, particles::ParticleSet &set);
+// Throws the particles of `set` (radii given, box as `box`) evenly into the box, large ones first. A centre that falls
+// into a much larger particle is thrown again: relaxation could not bring it out in a few sweeps. All other overlaps
+// stay.
+void place_at_random(const Box &box, Random &random, particles::ParticleSet &set);
 
 }  // namespace packing

@@ -89,16 +89,18 @@ Overlaps overlaps_of(const Box &box, const particles::ParticleSet &set, hgrid::V
   return found;
 }
 
+}  // namespace
+
 // The number of contacts that anybody counts who reads the packing.
-Overlaps exact_overlaps(const Box &box, const particles::ParticleSet &set) {
+Overlaps exact_overlaps(const particles::ParticleSet &set) {
+  const Vector edge(set.box_max[0], set.box_max[1], set.box_max[2]);
+  const Box box(set.dimension, edge, {set.periodic[0] != 0, set.periodic[1] != 0, set.periodic[2] != 0});
   hg_grid_def def = grid_def(box);
   def.accuracy = HG_EXACT;
   hgrid::Grid grid(def);
   particles::insert(set, grid);
   return overlaps_of(box, set, grid.query_pairs(), nullptr);
 }
-
-}  // namespace
 
 Overlaps relax(const Box &box, int sweeps, const SweepObserver &observe, particles::ParticleSet &set) {
   hgrid::Grid grid(grid_def(box));
@@ -108,7 +110,7 @@ Overlaps relax(const Box &box, int sweeps, const SweepObserver &observe, particl
     std::fill(step.begin(), step.end(), 0.0);
     const Overlaps found = overlaps_of(box, set, grid.query_pairs(), &step);
     if (observe) observe(sweep, found);
-    if (sweep == sweeps || found.contacts == 0) return exact_overlaps(box, set);
+    if (sweep == sweeps || found.contacts == 0) return exact_overlaps(set);
     move(box, step, set);
     grid.move(set.count(), set.centers.data(), set.radii.data());
   }

@@ -17,6 +17,9 @@ struct Overlaps {
   double largest = 0;
 };
 
+// Those of a set in its box, if it has one, decided exactly.
+Overlaps exact_overlaps(const particles::ParticleSet &set);
+
 // Told the number of sweeps done and the overlaps found before the next.
 using SweepObserver = std::function<void(int sweeps_done, const Overlaps &overlaps)>;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // hgrid_compare: measures the library, plain searches and other programs side by side, and checks that all find the
 // same pairs. Exit code 0 only if they do.
+#include "programs/bench/images.hpp"
 #include "programs/bench/library_searches.hpp"
 #include "programs/bench/machine.hpp"
 #include "programs/bench/program.hpp"
@@ -13,14 +14,19 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
+#include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
 struct Options {
   std::vector<std::string> sources;
+  std::string beside;
+  bool open = false;
   std::string sweep;
   int relaxation = 10;
   bench::Effort effort;
@@ -43,7 +49,17 @@ std::vector<bench::Contestant> contestants_of(const Options &options, const benc
            std::find(options.threads.begin(), options.threads.end(), contestant.threads) == options.threads.end();
   };
   all.erase(std::remove_if(all.begin(), all.end(), unwanted), all.end());
+  for (bench::Contestant &contestant : all) {
+    if (contestant.name != bench::kLibrary && bench::is_periodic(system.particles))
+      contestant = bench::with_images(std::move(contestant));
+  }
   return all;
+}
+
+bench::System load(const Options &options, const std::string &source) {
+  bench::System system = bench::load_system(source, options.relaxation);
+  if (options.open) bench::open_axes(system);
+  return system;
 }
 
 // Time steps end elsewhere than they begin, and there the pairs are checked.
@@ -59,35 +75,62 @@ std::string words_about(const bench::Reference &reference) {
          " otherwise, which touch within rounding";
 }
 
+// A system with the pairs to be found in it.
+struct Task {
+  bench::System system;
+  particles::ParticleSet end;  // of time steps
+  std::unique_ptr<bench::Reference> reference;
+};
+
+std::unique_ptr<Task> task_of(const Options &options, const std::string &source, bool moves) {
+  auto task = std::make_unique<Task>();
+  task->system = load(options, source);
+  if (moves) task->end = where_steps_end(sweep_of(options.sweep), task->system.particles);
+  task->reference = std::make_unique<bench::Reference>(moves ? task->end : task->system.particles);
+  return task;
+}
+
 class Comparison {
  public:
-  explicit Comparison(const Options &options) : options_(&options), isas_(bench::usable_instruction_sets()) {}
+  explicit Comparison(const Options &options) : options_(&options), isas_(bench::usable_instruction_sets()) {
+    if (!options.beside.empty()) beside_ = task_of(options, options.beside, false);
+  }
 
   void measure(const std::string &source) {
-    const bench::Sweep &sweep = sweep_of(options_->sweep);
-    const bench::System system = bench::load_system(source, options_->relaxation);
-    std::vector<bench::Contestant> contestants = contestants_of(*options_, system, isas_);
+    const std::unique_ptr<Task> task = task_of(*options_, source, sweep_of(options_->sweep).steps > 0);
+    std::vector<bench::Contestant> contestants = contestants_of(*options_, task->system, isas_);
     if (contestants.empty()) throw CLI::ValidationError("--only", "no contestant matches, see --list");
     drop_those_that_gave_up(contestants);
-    const particles::ParticleSet end =
-        sweep.steps > 0 ? where_steps_end(sweep, system.particles) : particles::ParticleSet();
-    const bench::Reference reference(sweep.steps > 0 ? end : system.particles);
-    bench::Measurement measurement;
-    measurement.sweep = sweep.name;
-    measurement.system = system.name;
-    measurement.size_ratio = system.size_ratio();
-    measurement.particles = system.particles.count();
-    measurement.results = bench::run_rounds(system.particles, contestants, options_->effort, reference);
-    print(measurement);
-    std::printf("\n%s\n", words_about(reference).c_str());
-    check(measurement, reference);
-    measurements_.push_back(std::move(measurement));
+    std::vector<bench::Entry> entries;
+    if (beside_) entries.push_back(entry_of(*beside_, bench::library_search({isas_.front()})));
+    for (bench::Contestant &contestant : contestants) entries.push_back(entry_of(*task, std::move(contestant)));
+    const std::vector<bench::Result> results = bench::run_rounds(entries, options_->effort);
+    report(*task, results);
+    if (beside_) report(*beside_, results);
     if (!options_->csv.empty()) write_csv(options_->csv, measurements_);
   }
 
   bool good() const { return good_; }
 
  private:
+  static bench::Entry entry_of(const Task &task, bench::Contestant contestant) {
+    return {std::move(contestant), &task.system.particles, task.reference.get()};
+  }
+
+  void report(const Task &task, const std::vector<bench::Result> &results) {
+    bench::Measurement measurement;
+    measurement.sweep = options_->sweep;
+    measurement.system = task.system.name;
+    measurement.size_ratio = task.system.size_ratio();
+    measurement.particles = task.system.particles.count();
+    std::copy_if(results.begin(), results.end(), std::back_inserter(measurement.results),
+                 [&](const bench::Result &result) { return result.particles == &task.system.particles; });
+    print(measurement);
+    std::printf("\n%s\n", words_about(*task.reference).c_str());
+    check(measurement, *task.reference);
+    measurements_.push_back(std::move(measurement));
+  }
+
   // Along a sweep things get harder.
   void drop_those_that_gave_up(std::vector<bench::Contestant> &contestants) const {
     if (options_->sweep.empty()) return;
@@ -102,11 +145,12 @@ class Comparison {
     }
     for (const bench::Result &result : measurement.results) {
       const std::string key = key_of(result.contestant);
+      const bool is_library = result.contestant.name == bench::kLibrary;
       if (result.gave_up) {
         gave_up_.insert(key);
       } else if (result.chosen && !result.fault.empty()) {
         std::printf("%s: %s\n", key.c_str(), result.fault.c_str());
-        good_ = false;
+        good_ = good_ && result.broke_down && !is_library;  // not all programs can search all systems
       }
     }
     if (good_) std::printf("all searches find the pairs that they must find\n");
@@ -114,6 +158,7 @@ class Comparison {
 
   const Options *options_;
   std::vector<std::string> isas_;
+  std::unique_ptr<Task> beside_;
   std::vector<bench::Measurement> measurements_;
   std::set<std::string> gave_up_;
   bool good_ = true;
@@ -132,7 +177,8 @@ int compare(const Options &options) {
     return 0;
   }
   const std::vector<std::string> &sources = options.sources.empty() ? sweep_of(options.sweep).sources : options.sources;
-  if (sources.empty()) throw CLI::ValidationError("SYSTEM", "name a file or LAW:RATIO:COUNT, or a --sweep");
+  if (sources.empty())
+    throw CLI::ValidationError("SYSTEM", "name a file or LAW:RATIO:COUNT[:ARRANGEMENT], or a --sweep");
   std::printf("%s, %d processors; %s; commit %s\n", bench::processor().c_str(), bench::processor_count(),
               bench::compiler().c_str(), bench::commit());
   Comparison comparison(options);
@@ -144,8 +190,11 @@ int compare(const Options &options) {
 
 void add_options(CLI::App &command, Options &options) {
   command.add_option("SYSTEM", options.sources,
-                     "Particle files, or packings to be made, as LAW:RATIO:COUNT, e.g. uniform-volume:50:125001; all "
-                     "axes are taken as open");
+                     "Particle files, or packings to be made, as LAW:RATIO:COUNT[:ARRANGEMENT], e.g. "
+                     "uniform-volume:50:125001 or mono:1:125000:filaments");
+  command.add_flag("--open", options.open, "Take all axes as open");
+  command.add_option("--beside", options.beside,
+                     "Another system, on which the library (exact, one thread) is measured in the same rounds");
   std::set<std::string> names;
   std::string help = "Measure along one axis, on systems of its own unless some are named:";
   for (const bench::Sweep &sweep : bench::all_sweeps()) {
@@ -166,6 +215,8 @@ void add_options(CLI::App &command, Options &options) {
   command.add_option("--patience", options.effort.patience, "Seconds after which a single run is given up")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  command.add_option("--memory", options.effort.memory, "GiB that a contestant may ask for (any)")
+      ->check(CLI::PositiveNumber);
   command.add_option("--only", options.only, "Contestants to measure, as patterns of NAME/VARIANT/ISA/THREADS (all)")
       ->take_all();
   command.add_option("--skip", options.skip, "Contestants to leave out, as patterns");

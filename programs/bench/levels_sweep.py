@@ -12,8 +12,8 @@ import subprocess
 import sys
 
 RELAXED = ["--sweeps", "30"]
-# Particles thrown onto each other overlap more than any packing; less dense ones have contacts in usual numbers.
-THROWN = ["--sweeps", "0", "--density", "0.2"]
+# Particles laid onto each other overlap more than any packing; less dense ones have contacts in usual numbers.
+LAID = ["--density", "0.2"]
 SYSTEMS = {
     "mono": ["--law", "mono"],
     "two-sizes-10": ["--law", "two-sizes"],
@@ -27,13 +27,13 @@ SYSTEMS = {
     "power-law-4": ["--law", "power-law", "--exponent", "4", *RELAXED],
     "power-law-5": ["--law", "power-law", "--exponent", "5", *RELAXED],
     "one-giant-30": ["--law", "one-giant", "--ratio", "30", *RELAXED],
-    "clusters-mono": ["--arrangement", "clusters", "--law", "mono", *THROWN],
-    "clusters-uv-10": ["--arrangement", "clusters", "--ratio", "10", *THROWN],
-    "film-mono": ["--arrangement", "film", "--law", "mono", *THROWN],
-    "film-uv-10": ["--arrangement", "film", "--ratio", "10", *THROWN],
-    "shell-uv-10": ["--arrangement", "shell", "--ratio", "10", *THROWN],
-    "crowded-mono": ["--arrangement", "crowded", "--law", "mono", *THROWN],
-    "crowded-uv-10": ["--arrangement", "crowded", "--ratio", "10", *THROWN],
+    "clusters-mono": ["--arrangement", "clusters", "--law", "mono", *LAID],
+    "clusters-uv-10": ["--arrangement", "clusters", "--ratio", "10", *LAID],
+    "film-mono": ["--arrangement", "film", "--law", "mono", *LAID],
+    "film-uv-10": ["--arrangement", "film", "--ratio", "10", *LAID],
+    "shell-uv-10": ["--arrangement", "shell", "--ratio", "10", *LAID],
+    "crowd-mono": ["--arrangement", "crowd", "--law", "mono", *LAID],
+    "crowd-uv-10": ["--arrangement", "crowd", "--ratio", "10", *LAID],
 }
 
 

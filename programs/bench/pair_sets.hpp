@@ -38,17 +38,23 @@ inline constexpr double kDoubleRounding = 8 * std::numeric_limits<double>::epsil
 // HG_FLOAT takes distances below s (1 + 2^-47) at most; the square doubles that, and a little for the rounding here.
 inline constexpr double kFloatDistance = 0x1.01p-46;
 
-// Whether two particles touch within a relative distance of the squares; long double leaves room to judge that.
+// Whether two particles, or the nearest images of them, touch within a relative distance of the squares; long double
+// leaves room to judge that. Across a periodic box its edge is rounded too.
 inline bool touch_within(const particles::ParticleSet &set, const hg_pair &pair, double relative) {
   const size_t a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
   const size_t d = static_cast<size_t>(set.dimension);
-  long double square = 0;
+  long double square = 0, longest_edge = 0;
   for (size_t k = 0; k < d; k++) {
-    const long double difference = static_cast<long double>(set.centers[a * d + k]) - set.centers[b * d + k];
+    long double difference = static_cast<long double>(set.centers[a * d + k]) - set.centers[b * d + k];
+    if (set.periodic[k] != 0) {
+      const long double edge = static_cast<long double>(set.box_max[k]) - set.box_min[k];
+      difference = std::remainder(difference, edge);
+      longest_edge = std::max(longest_edge, edge);
+    }
     square += difference * difference;
   }
   const long double sum = static_cast<long double>(set.radii[a]) + set.radii[b];
-  return std::fabs(square - sum * sum) <= relative * sum * sum;
+  return std::fabs(square - sum * sum) <= relative * sum * (sum + longest_edge);
 }
 
 }  // namespace bench

@@ -4,6 +4,7 @@
 #include "programs/bench/rounds.hpp"
 
 #include "programs/bench/child.hpp"
+#include "programs/bench/complaints.hpp"
 #include "programs/bench/pair_sets.hpp"
 
 #include <sys/resource.h>
@@ -42,9 +43,17 @@ double peak_bytes() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
+void limit_memory(double gibibytes) {
+  if (!(gibibytes > 0)) return;
+  const auto bytes = static_cast<rlim_t>(gibibytes * 1073741824.0);
+  const rlimit limit{bytes, bytes};
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
 // What a contestant's process does until it is told to end.
-void serve(const Contestant &contestant, const particles::ParticleSet &particles, Channel &channel) {
+void serve(const Contestant &contestant, const particles::ParticleSet &particles, double memory, Channel &channel) {
   if (!contestant.isa.empty()) setenv("HGRID_ISA", contestant.isa.c_str(), 1);
+  limit_memory(memory);
   const double bytes_before = peak_bytes();
   const Search search = contestant.prepare(particles);
   channel.send(static_cast<bool>(search.run));
@@ -78,17 +87,19 @@ void let_threads_settle(const Contestant &contestant) {
 
 class Runner {
  public:
-  Runner(const Contestant &contestant, const particles::ParticleSet &particles, const Effort &effort)
-      : effort_(&effort) {
-    result_.contestant = contestant;
+  Runner(const Entry &entry, const Effort &effort) : effort_(&effort), reference_(entry.reference) {
+    result_.contestant = entry.contestant;
+    result_.particles = entry.particles;
     release_unused_memory();
-    child_ = std::make_unique<Child>(contestant.name + " " + contestant.variant,
-                                     [&](Channel &channel) { serve(contestant, particles, channel); });
+    child_ = std::make_unique<Child>(entry.contestant.name + " " + entry.contestant.variant, [&](Channel &channel) {
+      complaints_.take();
+      serve(entry.contestant, *entry.particles, effort.memory, channel);
+    });
     child_->channel().set_patience(effort.patience);
   }
 
   // Runs and checks the pairs. False if the contestant has nothing to do with these particles.
-  bool run_first(const Reference &reference) {
+  bool run_first() {
     bool suited = true;
     guarded([&] {
       suited = child_->channel().receive<bool>();
@@ -97,7 +108,7 @@ class Runner {
       first_ = report.seconds;
       result_.peak_bytes = report.peak_bytes;
       child_->channel().send(Order::kSendPairs);
-      result_.fault = reference.fault(result_.contestant.accuracy, child_->channel().receive_array<hg_pair>());
+      result_.fault = reference_->fault(result_.contestant.accuracy, child_->channel().receive_array<hg_pair>());
     });
     if (first_ >= effort_->seconds) {
       result_.seconds.push_back(first_);
@@ -148,12 +159,14 @@ class Runner {
       child_.reset();
     } catch (const ProcessEnded &) {
       result_.broke_down = true;
-      result_.fault = "broke down: " + child_->wait();
+      result_.fault = "broke down: " + child_->wait() + complaints_.reason();
       child_.reset();
     }
   }
 
   const Effort *effort_;
+  const Reference *reference_;
+  Complaints complaints_;
   Result result_;
   std::unique_ptr<Child> child_;
   double first_ = 0, spent_ = 0;
@@ -178,12 +191,11 @@ void drop_slower_variants(Runners &runners) {
 
 }  // namespace
 
-std::vector<Result> run_rounds(const particles::ParticleSet &particles, const std::vector<Contestant> &contestants,
-                               const Effort &effort, const Reference &reference) {
+std::vector<Result> run_rounds(const std::vector<Entry> &entries, const Effort &effort) {
   Runners runners;
-  for (const Contestant &contestant : contestants) {
-    runners.push_back(std::make_unique<Runner>(contestant, particles, effort));
-    if (!runners.back()->run_first(reference)) runners.pop_back();
+  for (const Entry &entry : entries) {
+    runners.push_back(std::make_unique<Runner>(entry, effort));
+    if (!runners.back()->run_first()) runners.pop_back();
     drop_slower_variants(runners);  // at once: their memory may be needed
   }
   for (int round = 0; round < effort.repeats; round++) {

@@ -16,10 +16,19 @@ struct Effort {
   int repeats = 15;      // runs of each contestant
   double seconds = 3;    // a contestant that has taken so long is not run again
   double patience = 60;  // a single run that takes longer is given up
+  double memory = 0;     // GiB that a contestant may ask for; 0: any
+};
+
+// A contestant, what it searches, and the pairs of that, or of where time steps end.
+struct Entry {
+  Contestant contestant;
+  const particles::ParticleSet *particles;
+  const Reference *reference;
 };
 
 struct Result {
   Contestant contestant;
+  const particles::ParticleSet *particles = nullptr;  // of the entry
   // Of the runs that count. The first run warms up and counts only if it took all of Effort::seconds.
   std::vector<double> seconds;
   Details details;
@@ -31,9 +40,7 @@ struct Result {
   std::string fault;        // "" if the pairs are right, else what went wrong
 };
 
-// One result for each contestant that has something to do, in their order. `reference` is of the same particles, or of
-// where time steps end.
-std::vector<Result> run_rounds(const particles::ParticleSet &particles, const std::vector<Contestant> &contestants,
-                               const Effort &effort, const Reference &reference);
+// One result for each entry that has something to do, in their order.
+std::vector<Result> run_rounds(const std::vector<Entry> &entries, const Effort &effort);
 
 }  // namespace bench

@@ -36,9 +36,10 @@ struct Search {
 
 // Which set of pairs a search must find.
 enum class Accuracy {
-  kExact,   // that of real arithmetic
-  kDouble,  // that of the plain double expression
-  kFloat    // the exact one and pairs that touch within 2^-47
+  kExact,    // that of real arithmetic
+  kDouble,   // that of the plain double expression
+  kRounded,  // the exact one, but for pairs that touch within the rounding of doubles
+  kFloat     // the exact one and pairs that touch within 2^-47
 };
 
 struct Contestant {

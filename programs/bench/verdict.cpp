@@ -46,13 +46,14 @@ Reference::Reference(const particles::ParticleSet &particles)
 std::string Reference::fault(Accuracy accuracy, const std::vector<hg_pair> &pairs) const {
   const std::vector<hg_pair> &expected = accuracy == Accuracy::kDouble ? as_doubles_ : exact_;
   const std::vector<hg_pair> odd = differences(expected, pairs);
-  if (odd.empty()) return "";
-  if (accuracy != Accuracy::kFloat) return count_text(odd.size(), "differ");
-  const auto wrong = std::count_if(odd.begin(), odd.end(), [&](const hg_pair &pair) {
+  const auto is_wrong = [&](const hg_pair &pair) {
+    if (accuracy == Accuracy::kRounded) return !touch_within(*particles_, pair, kDoubleRounding);
+    if (accuracy != Accuracy::kFloat) return true;
     const bool missed = std::binary_search(exact_.begin(), exact_.end(), pair, before);
     return missed || !touch_within(*particles_, pair, kFloatDistance);
-  });
-  return wrong == 0 ? "" : count_text(static_cast<size_t>(wrong), "are missed or too far from touching");
+  };
+  const auto wrong = std::count_if(odd.begin(), odd.end(), is_wrong);
+  return wrong == 0 ? "" : count_text(static_cast<size_t>(wrong), "differ");
 }
 
 }  // namespace bench

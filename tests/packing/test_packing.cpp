@@ -3,13 +3,13 @@
 // Packings from end to end: density, walls, periodic images, progress of the relaxation, reproducibility, refusals.
 #include "oracle/pairs.hpp"
 #include "packing/packing.hpp"
+#include "tests/packing/bytes.hpp"
 #include "tests/support/frame.h"
 #include "tests/support/refusal.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <string>
 
 namespace {
@@ -122,39 +122,22 @@ bool periodic_axes() {
          good_periodic_packing(2, {true, false, false});
 }
 
-bool same_bytes(const std::vector<double> &a, const std::vector<double> &b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
-
 bool same_seed_same_bytes() {
   packing::Request request = request_of(Law::kUniformVolume, 8, 3);
   request.sweeps = 5;
   const packing::Packing one = packing::make_packing(request, nullptr), again = packing::make_packing(request, nullptr);
   request.seed = kSeed + 1;
   const packing::Packing other = packing::make_packing(request, nullptr);
-  return same_bytes(one.particles.centers, again.particles.centers) &&
-         same_bytes(one.particles.radii, again.particles.radii) &&
-         !same_bytes(one.particles.centers, other.particles.centers) &&
-         !same_bytes(one.particles.radii, other.particles.radii);
-}
-
-// FNV-1a over the bit patterns, coordinates first.
-uint64_t hash_of(const particles::ParticleSet &set) {
-  uint64_t hash = 0xcbf29ce484222325u;
-  for (const std::vector<double> *values : {&set.centers, &set.radii}) {
-    for (const double value : *values) {
-      uint64_t bits = 0;
-      std::memcpy(&bits, &value, sizeof bits);
-      for (int k = 0; k < 8; k++) hash = (hash ^ ((bits >> (8 * k)) & 255u)) * 0x100000001b3u;
-    }
-  }
-  return hash;
+  return test::same_bytes(one.particles.centers, again.particles.centers) &&
+         test::same_bytes(one.particles.radii, again.particles.radii) &&
+         !test::same_bytes(one.particles.centers, other.particles.centers) &&
+         !test::same_bytes(one.particles.radii, other.particles.radii);
 }
 
 bool hash_is(int dimension, uint64_t expected) {
   packing::Request request = request_of(Law::kUniformVolume, 8, dimension);
   request.sweeps = 5;
-  const uint64_t hash = hash_of(packing::make_packing(request, nullptr).particles);
+  const uint64_t hash = test::hash_of(packing::make_packing(request, nullptr).particles);
   if (hash == expected) return true;
   std::fprintf(stderr, "dimension %d, seed %llu: hash 0x%016llx\n", dimension, static_cast<unsigned long long>(kSeed),
                static_cast<unsigned long long>(hash));

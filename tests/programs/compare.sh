@@ -48,6 +48,28 @@ for law in mono two-sizes uniform-size uniform-volume; do
   done
 done
 
+# Periodic boxes: all others get images; `--open` takes them away again. Uneven worlds, by name.
+for options in "--dimension 3 --periodic xyz" "--dimension 3 --periodic y" "--dimension 2 --periodic xy"; do
+  # shellcheck disable=SC2086
+  "$hgrid" pack --ratio 4 --count 3000 --sweeps 10 $options --output box.csv >/dev/null || fault "packing $options"
+  "$compare" box.csv --repeats 1 --csv world.csv --only 'library/grid-exact/best/1' '[!l]*' 'lammps-*' >out.txt 2>&1 ||
+    fault "$options: $(cat out.txt)"
+  [ "$(field pairs world.csv | sort -u)" = "$(contacts box.csv)" ] || fault "$options: $(cat out.txt)"
+  [ "$(contacts box.csv)" -gt "$(contacts box.csv --open)" ] || fault "$options: no pair across the box"
+  "$compare" box.csv --open --repeats 1 --csv world.csv --only 'plain/*' >out.txt 2>&1 || fault "--open: $(cat out.txt)"
+  [ "$(field pairs world.csv)" = "$(contacts box.csv --open)" ] || fault "--open: $(cat out.txt)"
+done
+"$compare" mono:1:2000:film uniform-volume:3:1000:part-across --beside mono:1:900 --repeats 1 --csv world.csv \
+  --only 'library/grid-exact/best/1' '[!l]*' >out.txt 2>&1 || fault "worlds by name: $(cat out.txt)"
+[ "$(field system world.csv | uniq | tr '\n' ' ')" = "film-mono mono part-across-uniform-volume mono " ] ||
+  fault "worlds by name: $(field system world.csv | uniq)"
+[ "$(field verdict world.csv | sort -u)" = "same pairs" ] || fault "worlds by name: $(cat out.txt)"
+# What a program cannot do is told with its reason, and is no fault of the pairs.
+"$compare" mono:1:20000 --only 'classical/*' --memory 0.001 --csv world.csv >out.txt 2>&1 ||
+  fault "out of memory: $(cat out.txt)"
+[ "$(field verdict world.csv)" = "broke down: exit code 1: classical : std::bad_alloc" ] ||
+  fault "out of memory: $(field verdict world.csv)"
+
 # The sweeps, on systems made on the way, and what is drawn and written from them.
 for sweep in size ratio levels threads skin; do
   "$compare" --sweep "$sweep" mono:1:600 uniform-volume:4:1000 --repeats 1 --csv "$sweep.csv" >out.txt 2>&1 ||
@@ -62,6 +84,18 @@ for picture in size ratio levels threads skin; do
 done
 "$python" "$bench/plot/table.py" times.csv >table.md 2>out.txt || fault "table.py: $(cat out.txt)"
 grep -q '^| set, ' table.md || fault "table.py: $(cat table.md)"
+
+# The table and the picture of worlds.
+HGRID_WORLD_COUNT=4000 HGRID_WORLD_REPEATS=1 "$bench/worlds.sh" "$(dirname "$(dirname "$compare")")" worlds table \
+  mono part-across far >out.txt 2>&1 || fault "worlds.sh: $(cat out.txt)"
+[ "$(field world table/worlds.csv | tr '\n' ' ')" = "mono part-across far " ] || fault "worlds: $(cat table/worlds.csv)"
+[ "$(field reference table/worlds.csv | tr '\n' ' ')" = " part-open mono " ] || fault "references: $(cat table/worlds.csv)"
+awk -F, 'NR > 1 && !($5 > 0 && (NR == 2 || $8 > 0)) { exit 1 }' table/worlds.csv || fault "times: $(cat table/worlds.csv)"
+"$bench/worlds.sh" "$(dirname "$(dirname "$compare")")" worlds table nowhere >out.txt 2>&1 && fault "a world that is none"
+grep -q 'no world is called nowhere' out.txt || fault "the world is not named: $(cat out.txt)"
+"$python" "$bench/plot/worlds.py" --output pictures table/worlds.csv >worlds.md 2>out.txt || fault "worlds.py: $(cat out.txt)"
+grep -q '^| part across | 4' worlds.md || fault "worlds.py: $(cat worlds.md)"
+"$python" -c 'import sys, xml.dom.minidom; xml.dom.minidom.parse(sys.argv[1])' pictures/worlds.svg || fault "worlds.svg is no XML"
 
 "$compare" no/such.csv >out.txt 2>&1 && fault "a missing file is no failure"
 grep -q 'no/such.csv' out.txt || fault "the missing file is not named: $(cat out.txt)"

@@ -33,9 +33,27 @@ works pack --law uniform-size --count 500 --ratio 3 --density 0.4 --periodic z -
 works pack --law power-law --exponent 4 --count 500 --ratio 5 --sweeps 5 --output power.csv
 works pack --law log-normal --sigma 0.5 --count 500 --sweeps 5 --output normal.csv
 works pack --law one-giant --count 500 --ratio 5 --sweeps 5 --output giant.csv
-for arrangement in clusters film shell crowded; do
-  works pack --law mono --count 500 --arrangement $arrangement --density 0.2 --sweeps 0 --output $arrangement.csv
+
+# Uneven worlds: what is reported is what the file holds, and the options that they do not take.
+for arrangement in $("$hgrid" pack --help | grep -oE '\{even,[a-z,-]*\}' | tr -d '{}' | tr , ' '); do
+  options=(--law two-sizes --ratio 3 --count 2000 --arrangement "$arrangement")
+  works pack "${options[@]}" --output "$arrangement.csv"
+  told=$(awk '/ contacts, / { print $1 }' out.txt)
+  [ "$(contacts "$arrangement.csv")" = "$told" ] || fault "$arrangement: pack reported $told contacts"
+  grep -q "two-sizes, $arrangement, 2000 spheres" out.txt || fault "$arrangement: $(cat out.txt)"
+  works pack "${options[@]}" --output again.csv
+  cmp -s "$arrangement.csv" again.csv || fault "$arrangement: the same seed gave other bytes"
+  ((worlds = ${worlds:-0} + 1))
 done
+[ "${worlds:-0}" -ge 15 ] || fault "only ${worlds:-0} arrangements found in the help"
+grep -q '^# box: .* periodic 1 1 1$' part-across.csv || fault "part-across has no periodic box"
+grep -q '^# box' film.csv && fault "film has a box"
+works pack --arrangement film --density 0.3 --law mono --count 500 --dimension 2 --output film.csv
+fails 2 "--density: is for arrangements that fill something, not for dust" pack --arrangement dust --density 0.3 --output x.csv
+fails 2 "--sweeps: is for the arrangement even, not for jet" pack --arrangement jet --sweeps 3 --output x.csv
+fails 2 "--periodic: is for the arrangement even, not for part" pack --arrangement part --periodic xyz --output x.csv
+fails 2 "--arrangement: is for --method relax" pack --arrangement gas --method event --output x.csv
+fails 1 "the density lies between 0 and 1, not at 1.5" pack --arrangement shell --density 1.5 --output x.csv
 fails 2 "--exponent: is for power-law, not for the law mono" pack --law mono --exponent 4 --output x.csv
 fails 2 "--sigma: is for log-normal, not for the law uniform-volume" pack --sigma 1 --output x.csv
 fails 2 "one-giant, not for the law log-normal" pack --law log-normal --ratio 4 --output x.csv

@@ -29,7 +29,7 @@ class LammpsSteps {
 Particles view(const dem::Setup &setup) { return {setup.count(), setup.centers.data(), setup.radii.data()}; }
 
 LammpsSteps::LammpsSteps(const dem::Setup &setup, double skin, int collections)
-    : count_(setup.count()), lammps_(view(setup)) {
+    : count_(setup.count()), lammps_(view(setup), "none") {
   lammps_.sort_atoms_every(1000);  // as LAMMPS does by itself
   // k_n k_t gamma_n gamma_t friction, and whether the tangential direction is damped.
   lammps_.command("pair_style gran/hooke %.17g 0 0 0 0 0", setup.contact.stiffness);

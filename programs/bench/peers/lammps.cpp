@@ -29,7 +29,8 @@ class Instance {
   LammpsSession lammps_;
 };
 
-Instance::Instance(const Particles &particles, int collections) : particles_(particles), lammps_(particles) {
+Instance::Instance(const Particles &particles, int collections)
+    : particles_(particles), lammps_(particles, "/dev/stderr") {
   lammps_.sort_atoms_every(1);
   lammps_.command("pair_style gran/hooke 1 NULL 0 NULL 0 0");
   lammps_.command("pair_coeff * *");

@@ -21,8 +21,8 @@ constexpr int kPage = 10 * kMostNeighbors;
 
 }  // namespace
 
-LammpsSession::LammpsSession(const Particles &particles) {
-  std::string words[] = {"lammps", "-log", "none", "-screen", "none", "-nocite"};
+LammpsSession::LammpsSession(const Particles &particles, const char *screen) {
+  std::string words[] = {"lammps", "-log", "none", "-screen", screen, "-nocite"};
   char *arguments[6];
   for (int k = 0; k < 6; k++) arguments[k] = words[k].data();
   handle_ = lammps_open_no_mpi(6, arguments, nullptr);

@@ -12,8 +12,9 @@ namespace bench {
 class LammpsSession {
  public:
   // A box of fixed faces around all particles, with as much room outside as the largest radius and a hundredth of the
-  // box; the particles as atoms of style sphere, tag = index + 1.
-  explicit LammpsSession(const Particles &particles);
+  // box; the particles as atoms of style sphere, tag = index + 1. `screen` is the file that LAMMPS tells what it does,
+  // and the error that it ends the process with; "none": nowhere.
+  LammpsSession(const Particles &particles, const char *screen);
   ~LammpsSession();
   LammpsSession(const LammpsSession &) = delete;
   LammpsSession &operator=(const LammpsSession &) = delete;

@@ -4,6 +4,21 @@
 
 import csv
 
+# Of the contestants, ours first.
+TITLES = {
+    "library": "libhgrid",
+    "plain": "plain hierarchical grid",
+    "classical": "classical linked cells",
+    "boost-rtree": "Boost rtree",
+    "bullet": "Bullet btDbvt",
+    "cgal": "CGAL box_intersection_d",
+    "embree": "Embree rtcCollide",
+    "lammps-bin": "LAMMPS bin",
+    "lammps-multi": "LAMMPS multi",
+    "nanoflann": "nanoflann by size class",
+}
+OURS = {"library", "plain", "classical"}
+
 NUMBERS = {
     "size_ratio", "particles", "pairs", "threads", "chosen", "levels", "occupancy", "predicted_cost",
     "candidates_per_particle", "skin", "searches_per_step", "runs", "median_ns_per_particle", "min_ns_per_particle",

@@ -10,21 +10,7 @@ Tables: all searches side by side, the library's settings, memory. ns per partic
 
 import argparse
 
-from measured import in_order, read
-
-TITLES = {
-    "library": "libhgrid",
-    "plain": "plain hierarchical grid",
-    "classical": "classical linked cells",
-    "boost-rtree": "Boost rtree",
-    "bullet": "Bullet btDbvt",
-    "cgal": "CGAL box_intersection_d",
-    "embree": "Embree rtcCollide",
-    "lammps-bin": "LAMMPS bin",
-    "lammps-multi": "LAMMPS multi",
-    "nanoflann": "nanoflann by size class",
-}
-OURS = {"library", "plain", "classical"}
+from measured import OURS, TITLES, in_order, read
 
 
 def name_of(row):

@@ -32,6 +32,7 @@ namespace {
 struct PackOptions {
   packing::Request request;
   std::string method = "relax";
+  std::optional<double> density;
   std::optional<int> sweeps;
   std::optional<double> growth_rate;
   std::string law = "uniform-volume";
@@ -56,18 +57,29 @@ packing::SizeLaw law_of(const PackOptions &options) {
   return law;
 }
 
+// Of the options only the even arrangement takes all.
+void check_arrangement(const PackOptions &options, const packing::Arrangement &arrangement) {
+  const auto refuse = [&](const char *option, const char *takers) {
+    throw CLI::ValidationError(option, std::string("is for ") + takers + ", not for " + arrangement.name);
+  };
+  if (options.density && !arrangement.takes_density) refuse("--density", "arrangements that fill something");
+  if (arrangement.is_even()) return;
+  if (options.method != "relax") throw CLI::ValidationError("--arrangement", "is for --method relax");
+  if (options.sweeps) refuse("--sweeps", "the arrangement even");
+  if (!options.periodic.empty()) refuse("--periodic", "the arrangement even");
+}
+
 packing::Request request_of(const PackOptions &options) {
   packing::Request request = options.request;
   request.law = law_of(options);
-  request.arrangement = packing::arrangement_from_name(options.arrangement);
-  if (options.method != "relax") {
-    if (options.sweeps) throw CLI::ValidationError("--sweeps", "is for --method relax");
-    if (options.arrangement != "even") throw CLI::ValidationError("--arrangement", "is for --method relax");
-  }
+  request.arrangement = &packing::arrangement_called(options.arrangement);
+  check_arrangement(options, *request.arrangement);
+  if (options.sweeps && options.method != "relax") throw CLI::ValidationError("--sweeps", "is for --method relax");
   if (options.growth_rate && options.method != "event") {
     throw CLI::ValidationError("--growth-rate", "is for --method event");
   }
   request.sweeps = options.sweeps.value_or(request.sweeps);
+  request.density = options.density.value_or(request.arrangement->density);
   request.offset = options.offset.value_or(request.offset);
   request.random_offset = options.random_offset;
   for (const char axis : options.periodic) {
@@ -107,11 +119,14 @@ void write_whole(const std::string &path, const particles::Format &format, const
 // What is said of a packing goes beside it, not into it.
 std::FILE *summary_file(const PackOptions &options) { return options.output == "-" ? stderr : stdout; }
 
-void print_particles(const PackOptions &options, const particles::ParticleSet &set, double density) {
+std::string words_of(double density) { return particles::formatted(", density %.6g", density); }
+
+void print_particles(const PackOptions &options, const particles::ParticleSet &set, const std::string &density) {
   const auto [smallest, largest] = std::minmax_element(set.radii.begin(), set.radii.end());
-  std::fprintf(summary_file(options), "%s: %s, %zu %s, radii %.6g to %.6g, box edge %.9g, density %.6g\n",
-               options.output.c_str(), options.law.c_str(), set.count(), set.dimension == 2 ? "disks" : "spheres",
-               *smallest, *largest, set.box_max[0], density);
+  const std::string box = set.has_box ? particles::formatted("box edge %.9g", set.box_max[0]) : "no box";
+  std::fprintf(summary_file(options), "%s: %s, %s, %zu %s, radii %.6g to %.6g, %s%s\n", options.output.c_str(),
+               options.law.c_str(), options.arrangement.c_str(), set.count(), set.dimension == 2 ? "disks" : "spheres",
+               *smallest, *largest, box.c_str(), density.c_str());
 }
 
 void relax(const PackOptions &options, const packing::Request &request, const particles::Format &format) {
@@ -125,7 +140,7 @@ void relax(const PackOptions &options, const packing::Request &request, const pa
     });
   }
   write_whole(options.output, format, packing.particles);
-  print_particles(options, packing.particles, request.density);
+  print_particles(options, packing.particles, request.arrangement->takes_density ? words_of(request.density) : "");
   std::fprintf(
       summary_file(options), "%zu contacts, overlap over the smaller radius: mean %.2g, largest %.2g; made in %.1f s\n",
       packing.overlaps.contacts, packing.overlaps.mean, packing.overlaps.largest, measure::seconds_since(start));
@@ -163,7 +178,7 @@ void grow(const PackOptions &options, const packing::Request &request, const par
     });
   }
   write_whole(options.output, format, packing.particles);
-  print_particles(options, packing.particles, packing.growth.density);
+  print_particles(options, packing.particles, words_of(packing.growth.density));
   print_growth(options, packing.growth, measure::seconds_since(start));
   report_early_end(options, packing.growth);
 }
@@ -221,13 +236,12 @@ void add_pack(CLI::App &parent) {
   command->add_option("--count", request.count, "Number of particles")->capture_default_str();
   command
       ->add_option("--arrangement", options->arrangement,
-                   described("Where particles are thrown:", packing::arrangements(), &packing::ArrangementRow::places))
+                   described("Where particles are:", packing::arrangements(), &packing::Arrangement::places))
       ->check(CLI::IsMember(particles::names_of(packing::arrangements())))
       ->capture_default_str();
-  command
-      ->add_option("--density", request.density,
-                   "Share of the box, or of the part they are thrown into, that the particles fill")
-      ->capture_default_str();
+  command->add_option("--density", options->density,
+                      "Share that the particles fill of the box, or of what their arrangement fills (" +
+                          packing::usual_densities() + ")");
   command->add_option("--seed", request.seed, "Same seed, same packing")->capture_default_str();
   CLI::Option *offset =
       command->add_option("--offset", options->offset,
