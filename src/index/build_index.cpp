@@ -85,8 +85,9 @@ class Builder {
   }
 
   BuildInput build_input(LevelRows *levels) {
-    const BuildInput input{store_.centers(),   store_.radii(), index_.map, index_.interaction.folded_radius(0),
-                           index_.level_count, levels};
+    const BuildInput input{
+        store_.centers(),   store_.radii(), store_.summary().center, index_.map, index_.interaction.folded_radius(0),
+        index_.level_count, levels};
     for (int h = 0; h < index_.level_count; h++) {
       const IndexLevel &l = level(h);
       levels[h] = {l.plan.radius_limit, 0, 0.5f, 0, 0.5f, 1, static_cast<uint32_t>(row_base_[h])};

@@ -44,6 +44,7 @@ struct LevelRows {
 
 struct BuildInput {
   const double *centers, *radii;
+  const Interval *extent;  // of all centers, by axis
   FixedPoint map;
   double extra_radius;  // makes a radius a folded one
   int level_count;
@@ -89,6 +90,7 @@ struct SearchKernel {
 // Where particles were when the candidates were collected, and where they are now.
 struct UpdateInput {
   const double *centers, *radii;  // the caller's; radii NULL: no radius has changed since the candidates were collected
+  const Interval *extent;         // of all centers, by axis
   const uint32_t *slot;           // of each point in `centers`
   const int32_t *x[3];            // of each point when the candidates were collected; x[2] is not read in 2D
   const float *radius;            // likewise, folded with the wider reach of the candidates

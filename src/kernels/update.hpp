@@ -5,6 +5,7 @@
 #pragma once
 
 #include "src/kernels/kernel_set.hpp"
+#include "src/kernels/wrap.hpp"
 
 #include <cmath>
 
@@ -72,15 +73,13 @@ class UpdateBlock {
   // FixedPoint::coordinate, but on open axes particles may leave the frame, and on periodic ones they keep to the image
   // that is nearest to where they were.
   void update_axis(int axis) {
-    double *__restrict position = position_[axis];
+    double(&position)[kUpdateBlock] = position_[axis];
     int32_t *__restrict fixed = fixed_[axis];
     const int32_t *__restrict start = start_[axis];
     float *__restrict moved2 = moved2_;
     const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
-    const double low = input_.map.box_min[axis], length = input_.map.length[axis];
-    if (length > 0) {
-      for (size_t i = 0; i < kUpdateBlock; i++) position[i] = place_in_box(position[i], low, length);
-    }
+    const double length = input_.map.length[axis];
+    if (length > 0) wrap_block(position, input_.map.box_min[axis], length, input_.extent[axis]);
     for (size_t i = 0; i < kUpdateBlock; i++) {
       fixed[i] = floor_within(to_quanta(position[i], half_origin, scale), kLow, kSpan);
     }

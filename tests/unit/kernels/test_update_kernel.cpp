@@ -40,9 +40,10 @@ struct Points {
   double &center(size_t p, size_t axis) { return centers[slot[p] * dimension + axis]; }
   double &radius_now(size_t p) { return radii[slot[p]]; }
 
-  hg::UpdateInput input(bool with_radii) const {
+  hg::UpdateInput input(bool with_radii, const hg::Interval *extent) const {
     return {centers.data(),
             with_radii ? radii.data() : nullptr,
+            extent,
             slot.data(),
             {x[0].data(), x[1].data(), x[2].data()},
             radius.data(),
@@ -65,9 +66,11 @@ struct Points {
 // The verdict, the same from all sets, and the points if it is true; points outside [begin, end) stay as they are.
 bool update(const Points &points, bool with_radii, size_t begin, size_t end, std::vector<hg::Point> &now) {
   bool first = false;
+  const std::array<hg::Interval, 3> extent = extent_of(points.centers, static_cast<int>(points.dimension));
   for (const hg::KernelSet *set : kernel_sets()) {
     std::vector<hg::Point> moved(points.slot.size(), kUntouched);
-    const bool near = set->update[points.dimension - 2](points.input(with_radii), begin, end, moved.data());
+    const bool near =
+        set->update[points.dimension - 2](points.input(with_radii, extent.data()), begin, end, moved.data());
     if (set == &hg::kScalarKernels) {
       first = near;
       now = moved;
@@ -258,7 +261,8 @@ class WholeSteps {
 
   // To `step` quanta from the start, in any box.
   void move(size_t p, size_t axis, int step) {
-    const int boxes = points_.map.period[axis] > 0 ? rng_.integer(-1000000, 1000000) : 0;
+    const int farthest = rng_.chance(0.5) ? 1 : 1000000;
+    const int boxes = points_.map.period[axis] > 0 ? rng_.integer(-farthest, farthest) : 0;
     points_.center(p, axis) = points_.x[axis][p] + step + static_cast<double>(boxes) * kPeriod;
   }
 
