@@ -69,4 +69,12 @@ inline int image_step(Image image, int axis) {
   return image / divisor % 3 - 1;
 }
 
+// Images as bits. Forward are those whose step is positive on the last axis with a step.
+using ImageSet = int32_t;
+inline constexpr ImageSet kBackwardImages = (1 << kNoImage) - 1;
+inline constexpr ImageSet kForwardImages = kBackwardImages << (kNoImage + 1);
+// By axis and step + 1. A digit has the three steps along x, three digits those along y.
+inline constexpr ImageSet kImagesWithStep[3][3] = {
+    {0111111111, 0222222222, 0444444444}, {0007007007, 0070070070, 0700700700}, {0000000777, 0000777000, 0777000000}};
+
 }  // namespace hg

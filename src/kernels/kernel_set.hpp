@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The kernels of each instruction set that this build holds, and the choice among them at run time. A kernel is a
 // function over plain pointers and numbers, so that it can be compiled for an instruction set of its own without
-// sharing inline functions with other files. The order is that of the data: input check, build, search; then, step by
-// step, update and filter.
+// sharing inline functions with other files. The order is that of the data: input check, build, images, search; then,
+// step by step, update and filter.
 #pragma once
 
 #include "src/base/interval.hpp"
@@ -70,6 +70,24 @@ struct BuildKernel {
   void (*put_into_rows)(const BuildInput &input, size_t begin, size_t end, const RowScatter &output);
 };
 
+// ---- images: which points reach across periodic faces
+
+struct ImageInput {
+  const int32_t *x[3];  // of the points; x[2] is not read in 2D
+  int32_t period[3];    // 0 on open axes
+  float reach;          // how far outside the box an image may lie
+  ImageSet wanted;      // other images are not looked for
+};
+
+struct PointImage {
+  uint32_t point;
+  Image image;
+};
+
+// Finds the images of points [begin, end), in the order of the points and ascending for each. Returns how many they
+// are.
+using ImageKernel = size_t(const ImageInput &input, size_t begin, size_t end, PointImage *found);
+
 // ---- search: from points to pairs
 
 // Points that step through the stencil together. The order of the pairs depends on it, so work is cut at multiples.
@@ -123,6 +141,7 @@ struct KernelSet {
   const char *name;
   InputCheckKernel *check_input[2];
   BuildKernel build[2];
+  ImageKernel *find_images[2];
   SearchKernel search[2][InteractionRules::kCount];
   UpdateKernel *update[2];
   FilterKernel *filter[InteractionRules::kCount];

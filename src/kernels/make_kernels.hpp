@@ -5,6 +5,7 @@
 
 #include "src/kernels/build.hpp"
 #include "src/kernels/filter.hpp"
+#include "src/kernels/images.hpp"
 #include "src/kernels/input_check.hpp"
 #include "src/kernels/search.hpp"
 #include "src/kernels/update.hpp"
@@ -17,6 +18,7 @@ constexpr KernelSet make_kernels(const char *name, RuleList<Rules...>) {
   return {name,
           {check_input<2>, check_input<3>},
           {make_build<2>(), make_build<3>()},
+          {find_images<2>, find_images<3>},
           {{make_search<V, 2, Rules>()...}, {make_search<V, 3, Rules>()...}},
           {update<2>, update<3>},
           {filter<V, Rules>...}};

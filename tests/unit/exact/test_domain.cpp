@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Where positions lie in a periodic box: comparing where a quotient is not needed, and the same places with and without
-// it.
+// it. The numbers of periodic images, and sets of them.
 #include "src/exact/domain.hpp"
 #include "tests/unit/checks.hpp"
 #include "tests/unit/exact_place.hpp"
@@ -40,9 +40,46 @@ void check_place(uint64_t seed) {
 
 void near_places(void **) { assert_true(sweep(20000, check_place)); }
 
+void image_numbers(void **) {
+  assert_true(holds(0, [](uint64_t) {
+    require(hg::make_image(0, 0, 0) == hg::kNoImage, "no step");
+    for (int z = -1; z <= 1; z++) {
+      for (int y = -1; y <= 1; y++) {
+        for (int x = -1; x <= 1; x++) {
+          const hg::Image image = hg::make_image(x, y, z);
+          require(hg::image_step(image, 0) == x && hg::image_step(image, 1) == y && hg::image_step(image, 2) == z,
+                  "image %d is not (%d, %d, %d)", image, x, y, z);
+        }
+      }
+    }
+  }));
+}
+
+bool contains(hg::ImageSet set, hg::Image image) { return (set >> image & 1) != 0; }
+
+void image_sets(void **) {
+  assert_true(holds(0, [](uint64_t) {
+    for (hg::Image image = 0; image < 32; image++) {
+      const bool exists = image < hg::kImages;
+      const int x = hg::image_step(image, 0), y = hg::image_step(image, 1), z = hg::image_step(image, 2);
+      const int last_step = z != 0 ? z : (y != 0 ? y : x);
+      require(contains(hg::kForwardImages, image) == (exists && last_step > 0), "image %d forward", image);
+      require(contains(hg::kBackwardImages, image) == (exists && last_step < 0), "image %d backward", image);
+      for (int axis = 0; axis < 3; axis++) {
+        for (int step = -1; step <= 1; step++) {
+          require(
+              contains(hg::kImagesWithStep[axis][step + 1], image) == (exists && hg::image_step(image, axis) == step),
+              "image %d and step %d on axis %d", image, step, axis);
+        }
+      }
+    }
+  }));
+}
+
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(near_places)};
+  const CMUnitTest tests[] = {cmocka_unit_test(near_places), cmocka_unit_test(image_numbers),
+                              cmocka_unit_test(image_sets)};
   return cmocka_run_group_tests_name("domain", tests, nullptr, nullptr);
 }
