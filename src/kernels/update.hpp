@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the particles of stored candidates are now, and whether any has moved too far; one source for all instruction
-// sets. Plain loops over blocks of 16, as in build.hpp.
+// sets. Plain loops over blocks, as in build.hpp.
 #pragma once
 
 #include "src/kernels/kernel_set.hpp"
@@ -12,7 +12,7 @@
 namespace hg {
 namespace {
 
-constexpr size_t kUpdateBlock = 16;
+constexpr size_t kUpdateBlock = 64;
 constexpr size_t kFetchAhead = 48;  // points whose centres are on their way from memory
 
 // Coordinates are cut off there: beyond, a particle is farther from any place in the frame than a skin reaches.
@@ -27,8 +27,9 @@ class UpdateBlock {
   explicit UpdateBlock(const UpdateInput &input) : input_(input) {}
 
   // False if a particle has moved too far.
-  bool run(size_t at, size_t count, Point *points) {
-    load(at, count);
+  bool run(size_t at, size_t end, Point *points) {
+    const size_t count = end - at < kUpdateBlock ? end - at : kUpdateBlock;
+    load(at, count, end);
     for (float &d2 : moved2_) d2 = 0;
     for (int axis = 0; axis < D; axis++) update_axis(axis);
     for (float &room : room_) room = input_.room;
@@ -48,19 +49,20 @@ class UpdateBlock {
 
  private:
   // A block that is not full repeats its first particle.
-  void load(size_t at, size_t count) {
-    if (count == kUpdateBlock) {
-      for (size_t i = 0; i < kUpdateBlock; i++) load_one(i, at + i);
-      for (int axis = 0; axis < D; axis++) start_[axis] = input_.x[axis] + at;
-      return;
-    }
+  void load(size_t at, size_t count, size_t end) {
     for (size_t i = 0; i < kUpdateBlock; i++) {
-      const size_t from = at + (i < count ? i : 0);
-      load_one(i, from);
-      for (int axis = 0; axis < D; axis++) start_copy_[axis][i] = input_.x[axis][from];
+      if (at + i + kFetchAhead < end) fetch(at + i + kFetchAhead);
+      load_one(i, at + (i < count ? i : 0));
     }
-    for (int axis = 0; axis < D; axis++) start_[axis] = start_copy_[axis];
+    for (int axis = 0; axis < D; axis++) {
+      start_[axis] = input_.x[axis] + at;
+      if (count == kUpdateBlock) continue;
+      for (size_t i = 0; i < kUpdateBlock; i++) start_copy_[axis][i] = start_[axis][i < count ? i : 0];
+      start_[axis] = start_copy_[axis];
+    }
   }
+
+  void fetch(size_t from) { __builtin_prefetch(input_.centers + static_cast<size_t>(input_.slot[from]) * D); }
 
   void load_one(size_t i, size_t from) {
     const size_t slot = input_.slot[from];
@@ -124,11 +126,7 @@ template <int D>
 bool update(const UpdateInput &input, size_t begin, size_t end, Point *points) {
   UpdateBlock<D> block(input);
   for (size_t at = begin; at < end; at += kUpdateBlock) {
-    if (at + kFetchAhead + kUpdateBlock <= end) {
-      const uint32_t *ahead = input.slot + at + kFetchAhead;
-      for (size_t i = 0; i < kUpdateBlock; i++) __builtin_prefetch(input.centers + static_cast<size_t>(ahead[i]) * D);
-    }
-    if (!block.run(at, end - at < kUpdateBlock ? end - at : kUpdateBlock, points)) return false;
+    if (!block.run(at, end, points)) return false;
   }
   return true;
 }
