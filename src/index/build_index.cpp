@@ -102,7 +102,14 @@ class Builder {
       sizes.diameter[h] = l.is_empty() ? index_.largest_reach() : index_.interaction.diameter(l.largest_radius);
       sizes.radius_limit[h] = l.plan.radius_limit;
     }
-    ChunkInput input{store_.centers(), store_.radii(), {}, index_.interaction.folded_radius(0), 0, nullptr, 0};
+    ChunkInput input{store_.centers(),
+                     store_.radii(),
+                     store_.summary().center,
+                     {},
+                     index_.interaction.folded_radius(0),
+                     0,
+                     nullptr,
+                     0};
     index_.map = map_far(input, sizes.diameter);
     input.map = index_.map;
     for (int h = 0; h < index_.level_count; h++) {
@@ -153,8 +160,9 @@ class Builder {
   }
 
   BuildInput build_input(LevelRows *levels) {
-    const BuildInput input{store_.centers(),   store_.radii(), index_.map, index_.interaction.folded_radius(0),
-                           index_.level_count, levels};
+    const BuildInput input{
+        store_.centers(),   store_.radii(), store_.summary().center, index_.map, index_.interaction.folded_radius(0),
+        index_.level_count, levels};
     for (int h = 0; h < index_.level_count; h++) {
       const IndexLevel &l = level(h);
       levels[h] = {l.plan.radius_limit, 0, 0.5f, 0, 0.5f, 1, static_cast<uint32_t>(row_base_[h])};

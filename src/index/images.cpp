@@ -2,78 +2,146 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/index/images.hpp"
 
-#include "src/index/chunk_images.hpp"
+#include "src/kernels/kernel_set.hpp"
+
+#include <algorithm>
 
 namespace hg {
 namespace {
 
-// The steps, in box lengths, that leave a particle so near to the box that it may reach into it: 0 and what is next to
-// it.
-struct Steps {
-  int first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
-  bool any = false;
+constexpr uint32_t kTogether = 256;  // particles whose images are made together
+constexpr size_t kMostImages = 13;   // of a particle, in one direction
 
-  Steps(const Index &index, uint32_t i, float reach) {
-    for (int axis = 0; axis < index.domain.dimension; axis++) {
-      if (!index.domain.periodic[axis]) continue;
-      const auto period = static_cast<float>(index.map.period[axis]);
-      const auto x = static_cast<float>(index.particles.column(axis)[i]);
-      if ((x - period) + reach >= 0) first[axis] = -1;
-      if ((x + period) - reach <= period) last[axis] = 1;
-      any = any || first[axis] < last[axis];
+class ImageBuilder {
+ public:
+  explicit ImageBuilder(Index &index)
+      : index_(index), dimension_(index.domain.dimension), find_images_(active_kernels().find_images[dimension_ - 2]) {
+    for (int axis = 0; axis < dimension_; axis++) period_place_[axis] = index.map.period_place(axis);
+    for (Image image = 0; image < kImages; image++) {
+      for (int axis = 0; axis < 3; axis++)
+        shift_[axis][image] = moved_by(0, image_step(image, axis), index.map.period[axis]);
     }
   }
-};
 
-void append(Index &index, uint32_t i, Image image, uint32_t at) {
-  PointStore &images = index.images;
-  const size_t room = at + 1 + kPadding;
-  for (int axis = 0; axis < index.domain.dimension; axis++) {
-    images.column(axis).grow(room);
-    images.column(axis)[at] = index.particles.column(axis)[i] + image_step(image, axis) * index.map.period[axis];
+  uint32_t count() const { return count_; }
+
+  void add(int h, ImageSet wanted) {
+    if (index_.chunked) {
+      add_by_chunks(h, wanted);
+    } else {
+      add_by_points(index_.levels[h], wanted);
+    }
   }
-  images.radius.grow(room);
-  images.slot.grow(room);
-  images.image.grow(room);
-  images.radius[at] = index.particles.radius[i];
-  images.slot[at] = index.particles.slot[i];
-  images.image[at] = image;
-}
 
-// Images of one level whose step is forward (lexicographically positive) or backward.
-uint32_t add_images(Index &index, const IndexLevel &level, bool forward, uint32_t at) {
-  // The largest reach of a particle towards its own and finer levels.
-  const float reach = 2 * level.cells.largest_radius * kSearchScale + kSearchSlack;
-  for (uint32_t i = level.begin; i < level.end; i++) {
-    const Steps steps(index, i, reach);
-    if (!steps.any) continue;
-    for (int z = steps.first[2]; z <= steps.last[2]; z++) {
-      for (int y = steps.first[1]; y <= steps.last[1]; y++) {
-        for (int x = steps.first[0]; x <= steps.last[0]; x++) {
-          const bool is_forward = z > 0 || (z == 0 && (y > 0 || (y == 0 && x > 0)));
-          if ((x == 0 && y == 0 && z == 0) || is_forward != forward) continue;
-          append(index, i, make_image(x, y, z), at++);
-        }
+ private:
+  // Images of the particles of a level, in the order of the particles.
+  void add_by_points(const IndexLevel &level, ImageSet wanted) {
+    const PointStore &from = index_.particles;
+    const int32_t *period = index_.map.period;
+    // The largest reach of a particle towards its own and finer levels.
+    const float reach = 2 * level.cells.largest_radius * kSearchScale + kSearchSlack;
+    const ImageInput input{
+        {from.x.data(), from.y.data(), from.z.data()}, {period[0], period[1], period[2]}, reach, wanted};
+    for (uint32_t begin = level.begin; begin < level.end;) {
+      const uint32_t end = begin + std::min(kTogether, level.end - begin);
+      append(find_images_(input, begin, end, found_));
+      begin = end;
+    }
+  }
+
+  // Chunk by chunk, most of which are far from all faces and not looked into; in each, step by step, so that images
+  // which lie together search together.
+  void add_by_chunks(int h, ImageSet wanted) {
+    const ChunkRows &chunks = index_.chunks;
+    const ChunkLevel &level = chunks.level(h);
+    const double largest = static_cast<double>(index_.levels[h].cells.largest_radius);
+    const double reach = 2 * largest + 2 * level.slack + kFarSlack;
+    chunks.visit_box(level, level.space, [&](size_t chunk, const double *corner) {
+      const double end[3] = {corner[0] + level.chunk_length(), corner[1] + level.row_width,
+                             corner[2] + level.row_width};
+      for (Image image = 0; image < kImages; image++) {
+        if ((wanted >> image & 1) != 0 && reaches_box(image, corner, end, reach))
+          add_chunk(chunk, corner, image, reach);
       }
-    }
+      return true;
+    });
   }
-  return at;
-}
+
+  void add_chunk(size_t chunk, const double *corner, Image image, double reach) {
+    const PointArrays points = index_.particles.arrays(false);
+    size_t found = 0;
+    for (uint32_t i = index_.chunks.chunk_begin(chunk); i < index_.chunks.chunk_end(chunk); i++) {
+      double place[3];
+      index_.chunks.find_place(points, i, chunk, corner, dimension_, place);
+      if (!reaches_box(image, place, place, reach)) continue;
+      for (int axis = 0; axis < dimension_; axis++) {
+        index_.image_place[axis].grow(count_ + found + 1);
+        index_.image_place[axis][count_ + found] = place[axis] + image_step(image, axis) * period_place_[axis];
+      }
+      found_[found++] = {i, image};
+      if (found < kTogether) continue;
+      append(found);
+      found = 0;
+    }
+    append(found);
+  }
+
+  // May what lies between two places come near the box once it is moved by the image's step?
+  bool reaches_box(Image image, const double *low, const double *high, double reach) const {
+    for (int axis = 0; axis < 3; axis++) {
+      const int step = image_step(image, axis);
+      if (step == 0) continue;
+      if (!index_.domain.periodic[axis]) return false;
+      if (step < 0 ? high[axis] + reach < period_place_[axis] : low[axis] > reach) return false;
+    }
+    return true;
+  }
+
+  void append(size_t found) {
+    if (found == 0) return;
+    const PointStore &from = index_.particles;
+    PointStore &to = index_.images;
+    for (int axis = 0; axis < dimension_; axis++) {
+      const int32_t *x = from.column(axis).data(), *shift = shift_[axis];
+      fill(to.column(axis), found, [&](PointImage image) { return moved_by(x[image.point], 1, shift[image.image]); });
+    }
+    fill(to.radius, found, [&](PointImage image) { return from.radius[image.point]; });
+    fill(to.slot, found, [&](PointImage image) { return from.slot[image.point]; });
+    fill(to.image, found, [](PointImage image) { return image.image; });
+    count_ += static_cast<uint32_t>(found);
+  }
+
+  template <class T, class Value>
+  void fill(Buffer<T> &column, size_t found, Value value) {
+    column.grow(count_ + found + kPadding);
+    T *to = column.data() + count_;
+    for (size_t k = 0; k < found; k++) to[k] = value(found_[k]);
+  }
+
+  Index &index_;
+  int dimension_;
+  ImageKernel *find_images_;
+  uint32_t count_ = 0;
+  int32_t shift_[3][kImages];
+  double period_place_[3] = {0, 0, 0};
+  PointImage found_[kTogether * kMostImages];
+};
 
 }  // namespace
 
 void build_images(Index &index) {
-  uint32_t at = 0;
-  const auto add = [&](int h, bool forward) {
-    return index.chunked ? add_chunk_images(index, h, forward, at) : add_images(index, index.levels[h], forward, at);
-  };
+  if (!index.domain.any_periodic) return;
+  ImageBuilder images(index);
+  bool some_finer = false;
   for (int h = 0; h < index.level_count; h++) {
     IndexLevel &level = index.levels[h];
-    level.image_begin = at;
-    if (index.domain.any_periodic) at = add(h, true);
-    level.image_forward_end = at;
-    if (index.domain.any_periodic) at = add(h, false);
-    level.image_end = at;
+    level.image_begin = images.count();
+    images.add(h, kForwardImages);
+    level.image_forward_end = images.count();
+    // Backward ones are for finer levels only.
+    if (some_finer) images.add(h, kBackwardImages);
+    level.image_end = images.count();
+    some_finer = some_finer || !level.is_empty();
   }
 }
 

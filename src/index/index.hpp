@@ -41,7 +41,7 @@ struct IndexLevel {
   double largest_radius = 0;    // of the particles on the level
   uint32_t begin = 0, end = 0;  // in the sorted particles
   // Periodic images that reach into the box, in the sorted images: those that stand for a step forward come first, so
-  // that own-level pairs across the box are met from one side only.
+  // that own-level pairs across the box are met from one side only. The finest level with particles has no others.
   uint32_t image_begin = 0, image_forward_end = 0, image_end = 0;
   CellTable cells{};  // unless the index is chunked
 

@@ -7,6 +7,7 @@
 
 #include "src/kernels/kernel_set.hpp"
 #include "src/kernels/lanes_scalar.hpp"
+#include "src/kernels/wrap.hpp"
 
 #include <cmath>
 
@@ -73,12 +74,10 @@ class BuildBlock {
 
   // FixedPoint::coordinate, on a block.
   void fix(int axis) {
-    double *position = position_[axis];
+    double(&position)[kBuildBlock] = position_[axis];
     const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
-    const double low = input_.map.box_min[axis], length = input_.map.length[axis];
-    if (length > 0) {
-      for (size_t i = 0; i < kBuildBlock; i++) position[i] = place_in_box(position[i], low, length);
-    }
+    const double length = input_.map.length[axis];
+    if (length > 0) wrap_block(position, input_.map.box_min[axis], length, input_.extent[axis]);
     for (size_t i = 0; i < kBuildBlock; i++) {
       fixed_[axis][i] = floor_within(to_quanta(position[i], half_origin, scale), 0, kFixedPointQuanta - 1);
     }

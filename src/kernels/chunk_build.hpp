@@ -5,6 +5,7 @@
 #pragma once
 
 #include "src/kernels/kernel_set.hpp"
+#include "src/kernels/wrap.hpp"
 
 #include <cstring>
 
@@ -58,12 +59,10 @@ class ChunkBlock {
 
   // Whole quanta above the origin, in doubles: FixedPoint::place on a block.
   void to_places(int axis) {
-    double *position = position_[axis];
+    double(&position)[kSize] = position_[axis];
     const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
-    const double low = input_.map.box_min[axis], length = input_.map.length[axis];
-    if (length > 0) {
-      for (size_t i = 0; i < kSize; i++) position[i] = place_in_box(position[i], low, length);
-    }
+    const double length = input_.map.length[axis];
+    if (length > 0) wrap_block(position, input_.map.box_min[axis], length, input_.extent[axis]);
     for (size_t i = 0; i < kSize; i++) position[i] = to_whole(to_quanta(position[i], half_origin, scale));
   }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The kernels of each instruction set that this build holds, and the choice among them at run time. A kernel is a
 // function over plain pointers and numbers, so that it can be compiled for an instruction set of its own without
-// sharing inline functions with other files. The order is that of the data: input check, build, search; then, step by
-// step, update and filter; last the order of the pairs.
+// sharing inline functions with other files. The order is that of the data: input check, build, images, search; then,
+// step by step, update and filter; last the order of the pairs.
 #pragma once
 
 #include "src/base/interval.hpp"
@@ -45,6 +45,7 @@ struct LevelRows {
 
 struct BuildInput {
   const double *centers, *radii;
+  const Interval *extent;  // of all centers, by axis
   FixedPoint map;
   double extra_radius;  // makes a radius a folded one
   int level_count;
@@ -80,6 +81,7 @@ struct ChunkLevelKey {
 
 struct ChunkInput {
   const double *centers, *radii;
+  const Interval *extent;  // of all centers, by axis
   FixedPoint map;
   double extra_radius;
   int level_count;
@@ -104,6 +106,24 @@ struct ChunkBuildKernel {
   // Point i, for i in [begin, end), is the particle slots[i].
   void (*put)(const ChunkInput &input, const uint32_t *slots, size_t begin, size_t end, const ChunkScatter &output);
 };
+
+// ---- images: which points reach across periodic faces
+
+struct ImageInput {
+  const int32_t *x[3];  // of the points; x[2] is not read in 2D
+  int32_t period[3];    // 0 on open axes
+  float reach;          // how far outside the box an image may lie
+  ImageSet wanted;      // other images are not looked for
+};
+
+struct PointImage {
+  uint32_t point;
+  Image image;
+};
+
+// Finds the images of points [begin, end), in the order of the points and ascending for each. Returns how many they
+// are.
+using ImageKernel = size_t(const ImageInput &input, size_t begin, size_t end, PointImage *found);
 
 // ---- search: from points to pairs
 
@@ -139,6 +159,7 @@ struct ChunkSearchKernel {
 // Where particles were when the candidates were collected, and where they are now.
 struct UpdateInput {
   const double *centers, *radii;  // the caller's; radii NULL: no radius has changed since the candidates were collected
+  const Interval *extent;         // of all centers, by axis
   const uint32_t *slot;           // of each point in `centers`
   const int32_t *x[3];            // of each point when the candidates were collected; x[2] is not read in 2D
   const double *place[3];         // where coordinates wrap: likewise, as places; else NULL
@@ -190,6 +211,7 @@ struct KernelSet {
   InputCheckKernel *check_input[2];
   BuildKernel build[2];
   ChunkBuildKernel chunk_build[2];
+  ImageKernel *find_images[2];
   SearchKernel search[2][InteractionRules::kCount];
   ChunkSearchKernel chunk_search[2][InteractionRules::kCount];
   UpdateKernel *update[2];

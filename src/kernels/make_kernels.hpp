@@ -7,6 +7,7 @@
 #include "src/kernels/chunk_build.hpp"
 #include "src/kernels/chunk_search.hpp"
 #include "src/kernels/filter.hpp"
+#include "src/kernels/images.hpp"
 #include "src/kernels/input_check.hpp"
 #include "src/kernels/order.hpp"
 #include "src/kernels/search.hpp"
@@ -21,6 +22,7 @@ constexpr KernelSet make_kernels(const char *name, RuleList<Rules...>) {
           {check_input<2>, check_input<3>},
           {make_build<2>(), make_build<3>()},
           {make_chunk_build<2>(), make_chunk_build<3>()},
+          {find_images<2>, find_images<3>},
           {{make_search<V, 2, Rules>()...}, {make_search<V, 3, Rules>()...}},
           {{make_chunk_search<V, 2, Rules>()...}, {make_chunk_search<V, 3, Rules>()...}},
           {update<2>, update<3>},

@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Where the particles of stored candidates are now, and whether any has moved too far; one source for all instruction
-// sets. Plain loops over blocks of 16, as in build.hpp.
+// sets. Plain loops over blocks, as in build.hpp.
 #pragma once
 
 #include "src/kernels/kernel_set.hpp"
+#include "src/kernels/wrap.hpp"
 
 #include <cmath>
 
 namespace hg {
 namespace {
 
-constexpr size_t kUpdateBlock = 16;
+constexpr size_t kUpdateBlock = 64;
 constexpr size_t kFetchAhead = 48;  // points whose centres are on their way from memory
 
 // Coordinates are cut off there: beyond, a particle is farther from any place in the frame than a skin reaches.
@@ -29,8 +30,9 @@ class UpdateBlock {
   explicit UpdateBlock(const UpdateInput &input) : input_(input) {}
 
   // False if a particle has moved too far.
-  bool run(size_t at, size_t count, Point *points) {
-    load(at, count);
+  bool run(size_t at, size_t end, Point *points) {
+    const size_t count = end - at < kUpdateBlock ? end - at : kUpdateBlock;
+    load(at, count, end);
     for (float &d2 : moved2_) d2 = 0;
     for (int axis = 0; axis < D; axis++) {
       if (input_.place[axis] == nullptr) {
@@ -56,19 +58,20 @@ class UpdateBlock {
 
  private:
   // A block that is not full repeats its first particle.
-  void load(size_t at, size_t count) {
-    if (count == kUpdateBlock) {
-      for (size_t i = 0; i < kUpdateBlock; i++) load_one(i, at + i);
-      for (int axis = 0; axis < D; axis++) start_[axis] = input_.x[axis] + at;
-      return;
-    }
+  void load(size_t at, size_t count, size_t end) {
     for (size_t i = 0; i < kUpdateBlock; i++) {
-      const size_t from = at + (i < count ? i : 0);
-      load_one(i, from);
-      for (int axis = 0; axis < D; axis++) start_copy_[axis][i] = input_.x[axis][from];
+      if (at + i + kFetchAhead < end) fetch(at + i + kFetchAhead);
+      load_one(i, at + (i < count ? i : 0));
     }
-    for (int axis = 0; axis < D; axis++) start_[axis] = start_copy_[axis];
+    for (int axis = 0; axis < D; axis++) {
+      start_[axis] = input_.x[axis] + at;
+      if (count == kUpdateBlock) continue;
+      for (size_t i = 0; i < kUpdateBlock; i++) start_copy_[axis][i] = start_[axis][i < count ? i : 0];
+      start_[axis] = start_copy_[axis];
+    }
   }
+
+  void fetch(size_t from) { __builtin_prefetch(input_.centers + static_cast<size_t>(input_.slot[from]) * D); }
 
   void load_one(size_t i, size_t from) {
     const size_t slot = input_.slot[from];
@@ -81,15 +84,13 @@ class UpdateBlock {
   // FixedPoint::coordinate, but on open axes particles may leave the frame, and on periodic ones they keep to the image
   // that is nearest to where they were.
   void update_axis(int axis) {
-    double *__restrict position = position_[axis];
+    double(&position)[kUpdateBlock] = position_[axis];
     int32_t *__restrict fixed = fixed_[axis];
     const int32_t *__restrict start = start_[axis];
     float *__restrict moved2 = moved2_;
     const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
-    const double low = input_.map.box_min[axis], length = input_.map.length[axis];
-    if (length > 0) {
-      for (size_t i = 0; i < kUpdateBlock; i++) position[i] = place_in_box(position[i], low, length);
-    }
+    const double length = input_.map.length[axis];
+    if (length > 0) wrap_block(position, input_.map.box_min[axis], length, input_.extent[axis]);
     for (size_t i = 0; i < kUpdateBlock; i++) {
       fixed[i] = floor_within(to_quanta(position[i], half_origin, scale), kLow, kSpan);
     }
@@ -108,14 +109,12 @@ class UpdateBlock {
 
   // The same where coordinates wrap and so do not tell how far a particle has moved: places do.
   void update_far_axis(int axis, size_t at, size_t count) {
-    double *__restrict position = position_[axis];
+    double(&position)[kUpdateBlock] = position_[axis];
     double start[kUpdateBlock];
     for (size_t i = 0; i < kUpdateBlock; i++) start[i] = input_.place[axis][at + (i < count ? i : 0)];
     const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
-    const double low = input_.map.box_min[axis], length = input_.map.length[axis];
-    if (length > 0) {
-      for (size_t i = 0; i < kUpdateBlock; i++) position[i] = place_in_box(position[i], low, length);
-    }
+    const double length = input_.map.length[axis];
+    if (length > 0) wrap_block(position, input_.map.box_min[axis], length, input_.extent[axis]);
     for (size_t i = 0; i < kUpdateBlock; i++) {
       const double place = to_quanta(position[i], half_origin, scale);
       position[i] = place > -kFarthest ? (place < kFarthest ? place : kFarthest) : -kFarthest;
@@ -159,11 +158,7 @@ template <int D>
 bool update(const UpdateInput &input, size_t begin, size_t end, Point *points) {
   UpdateBlock<D> block(input);
   for (size_t at = begin; at < end; at += kUpdateBlock) {
-    if (at + kFetchAhead + kUpdateBlock <= end) {
-      const uint32_t *ahead = input.slot + at + kFetchAhead;
-      for (size_t i = 0; i < kUpdateBlock; i++) __builtin_prefetch(input.centers + static_cast<size_t>(ahead[i]) * D);
-    }
-    if (!block.run(at, end - at < kUpdateBlock ? end - at : kUpdateBlock, points)) return false;
+    if (!block.run(at, end, points)) return false;
   }
   return true;
 }

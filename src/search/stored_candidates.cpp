@@ -196,6 +196,7 @@ bool StoredCandidates::update_particles(const ParticleStore &store, bool radii) 
   const PointStore &start = index_->particles;
   UpdateInput input{store.centers(),
                     radii ? store.radii() : nullptr,
+                    store.summary().center,
                     slot_.data(),
                     {start.x.data(), start.y.data(), start.z.data()},
                     {nullptr, nullptr, nullptr},

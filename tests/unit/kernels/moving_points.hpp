@@ -5,6 +5,7 @@
 
 #include "tests/support/rng.hpp"
 #include "tests/unit/checks.hpp"
+#include "tests/unit/kernels/any_space.hpp"
 #include "tests/unit/kernels/kernel_sets.hpp"
 
 #include <numeric>
@@ -36,9 +37,10 @@ struct Points {
   double &center(size_t p, size_t axis) { return centers[slot[p] * dimension + axis]; }
   double &radius_now(size_t p) { return radii[slot[p]]; }
 
-  hg::UpdateInput input(bool with_radii) const {
+  hg::UpdateInput input(bool with_radii, const hg::Interval *extent) const {
     return {centers.data(),
             with_radii ? radii.data() : nullptr,
+            extent,
             slot.data(),
             {x[0].data(), x[1].data(), x[2].data()},
             {place[0].empty() ? nullptr : place[0].data(), place[1].empty() ? nullptr : place[1].data(),
@@ -63,10 +65,12 @@ struct Points {
 
 // The verdict, the same from all sets, and the points if it is true; points outside [begin, end) stay as they are.
 inline bool update(const Points &points, bool with_radii, size_t begin, size_t end, std::vector<hg::Point> &now) {
+  const std::array<hg::Interval, 3> extent = extent_of(points.centers, static_cast<int>(points.dimension));
   bool first = false;
   for (const hg::KernelSet *set : kernel_sets()) {
     std::vector<hg::Point> moved(points.slot.size(), kUntouched);
-    const bool near = set->update[points.dimension - 2](points.input(with_radii), begin, end, moved.data());
+    const bool near =
+        set->update[points.dimension - 2](points.input(with_radii, extent.data()), begin, end, moved.data());
     if (set == &hg::kScalarKernels) {
       first = near;
       now = moved;

@@ -54,8 +54,10 @@ class Scene {
     }
     lay_levels(largest);
     cut();
+    extent_ = extent_of(centers_, dimension());
     input_ = {centers_.data(),
               radii_.data(),
+              extent_.data(),
               space_.map,
               rng_.chance(0.5) ? 0 : largest * rng_.uniform(),
               static_cast<int>(levels_.size()),
@@ -169,6 +171,7 @@ class Scene {
   Space space_;
   size_t count_;
   std::vector<double> centers_, radii_;
+  std::array<hg::Interval, 3> extent_;
   std::vector<hg::LevelRows> levels_;
   std::vector<hg::CellTable> tables_;
   uint32_t rows_ = 0;

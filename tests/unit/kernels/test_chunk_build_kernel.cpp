@@ -57,8 +57,10 @@ class Scene {
       radii_.push_back(rng_.chance(0.1) ? 0 : largest * std::pow(2, rng_.uniform(-20, 0)));
     }
     lay_levels(largest);
+    extent_ = extent_of(centers_, dimension());
     input_ = {centers_.data(),
               radii_.data(),
+              extent_.data(),
               map_,
               rng_.chance(0.5) ? 0 : largest * rng_.uniform(),
               static_cast<int>(keys_.size()),
@@ -183,6 +185,7 @@ class Scene {
   std::vector<Level> levels_;
   std::vector<size_t> cuts_;     // into parts that threads would share
   std::vector<uint32_t> slots_;  // in any order
+  std::array<hg::Interval, 3> extent_;
   hg::ChunkInput input_{};
 };
 

@@ -191,7 +191,8 @@ class WholeSteps {
 
   // To `step` quanta from the start, in any box.
   void move(size_t p, size_t axis, int step) {
-    const int boxes = points_.map.period[axis] > 0 ? rng_.integer(-1000000, 1000000) : 0;
+    const int farthest = rng_.chance(0.5) ? 1 : 1000000;
+    const int boxes = points_.map.period[axis] > 0 ? rng_.integer(-farthest, farthest) : 0;
     points_.center(p, axis) = points_.x[axis][p] + step + static_cast<double>(boxes) * kPeriod;
   }
 
