@@ -14,7 +14,7 @@ constexpr double kThickness = 4;
 void lay_film(Places &places) {
   const int dimension = places.dimension();
   // Orthogonal unit vectors, the last normal to the film.
-  const Vector axes[3] = {Vector(2, 3, 6) / 7, Vector(3, -6, 2) / 7, Vector(6, 2, -3) / 7};
+  const Vector axes[3] = {Vector(1, 2, 2) / 3, Vector(2, 1, -2) / 3, Vector(2, -2, 1) / 3};
   const Vector flat_axes[2] = {{0.8, 0.6, 0}, {-0.6, 0.8, 0}};
   const Vector *directions = dimension == 2 ? flat_axes : axes;
   const double edge = root(places.volume(static_cast<double>(places.count())) / kThickness, dimension - 1);

@@ -116,7 +116,7 @@ struct Hashes {
 constexpr Hashes kHashes[] = {
     {"gas", 0x67685acd4b5597b6, 0xcce4594dfcc6e223},       {"clusters", 0x578f486f2034ff23, 0x02b4f6544bae0c8b},
     {"clumps", 0xe059a1ebcd3fabe1, 0x27718ad4233da1ad},    {"crowd", 0x52178eb50f7dc608, 0x1934a0f184110457},
-    {"filaments", 0x9bc1670cdeb5341e, 0xa236a9f832e191b1}, {"film", 0x0f031995c04f7ef3, 0x237fc08d2e1670e2},
+    {"filaments", 0x9bc1670cdeb5341e, 0xa236a9f832e191b1}, {"film", 0x0f031995c04f7ef3, 0xb448f91cbe764a8e},
     {"shell", 0xdea0412684fecbc6, 0x40297cbca5fd4e52},     {"jet", 0x17f0ba2d42b4a774, 0xf1b27f70ffc0fac7},
     {"far", 0x7e338e52390a7e6a, 0x92e947f303670c0f},       {"outliers", 0x0d1bd140b26d9874, 0x43f2f898ce4832e5},
     {"dust", 0xa5835a47b21e30b7, 0x3d25222dca85c97d},      {"scales", 0xf491eac5e56c7983, 0xa0c4723a036ff026},
