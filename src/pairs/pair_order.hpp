@@ -15,12 +15,13 @@ namespace hg {
 
 inline bool comes_first(const hg_pair &p, const hg_pair &q) { return p.a < q.a || (p.a == q.a && p.b < q.b); }
 
-// Of so many particles that caches do not hold what belongs to them: do successive pairs often have an a, first(p),
-// far from the last one's? Near pairs stand together, so this tells ids in any order from those that follow space.
+// Of so many particles that caches do not hold what belongs to them all: do successive pairs often have an a, first(p),
+// too far from the last one's for caches? Near pairs stand together, so this tells ids in any order from those that
+// follow space.
 template <class First>
 bool is_scattered(size_t pairs, size_t particles, First &&first) {
   constexpr size_t kInCache = size_t{1} << 18, kSamples = 1024;
-  constexpr int64_t kFar = 4096;
+  constexpr int64_t kFar = 1 << 16;
   if (particles <= kInCache) return false;
   size_t far = 0, seen = 0;
   for (size_t p = 1; p < pairs; p += pairs / kSamples + 1) {

@@ -100,6 +100,10 @@ void scattered(void **) {
         return hg::is_scattered(pairs.size(), static_cast<size_t>(slots), [&](size_t k) { return pairs[k].a; });
       };
       require(!ask(), "%d slots in order", slots);
+      std::reverse(pairs.begin(), pairs.end());
+      require(!ask(), "%d slots in order from the end", slots);
+      for (size_t k = 1; k + 30000 < pairs.size(); k += 2) std::swap(pairs[k], pairs[k + 30000]);
+      require(!ask(), "%d slots, layer by layer", slots);
       shuffle(rng, pairs);
       require(ask() == (slots > 262144), "%d slots in any order", slots);
     }
