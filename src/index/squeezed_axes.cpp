@@ -10,9 +10,9 @@
 namespace hg {
 namespace {
 
-// Unsigned numbers in the order of the doubles.
+// Unsigned numbers in the order of the doubles; -0.0 comes before 0.0.
 uint64_t ascending_bits(double x) {
-  const uint64_t bits = bits_of(x + 0.0);  // no -0.0
+  const uint64_t bits = bits_of(x);
   return bits ^ (bits >> 63 != 0 ? ~uint64_t{0} : uint64_t{1} << 63);
 }
 

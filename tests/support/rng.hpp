@@ -39,7 +39,7 @@ class Rng {
   uint64_t below(uint64_t bound) { return next() % bound; }
   // In low .. high, both included.
   int integer(int low, int high) {
-    return low + static_cast<int>(below(static_cast<uint64_t>(int64_t{high} - low + 1)));
+    return static_cast<int>(low + static_cast<int64_t>(below(static_cast<uint64_t>(int64_t{high} - low + 1))));
   }
   bool chance(double probability) { return uniform() < probability; }
 

@@ -37,7 +37,7 @@ class FarMotion {
   void check() {
     const size_t count = points_.slot.size(), begin = rng_.below(count + 1),
                  end = begin + rng_.below(count - begin + 1);
-    for (size_t p = 0; p < count; p++) move(p, std::pow(2, rng_.uniform(-3, 34)));
+    for (size_t p = 0; p < count; p++) move(p, std::pow(2, rng_.uniform(-3, 46)));
     std::vector<hg::Point> now;
     points_.room = std::numeric_limits<float>::infinity();
     require(update(points_, false, begin, end, now), "no room is enough");

@@ -316,6 +316,28 @@ void make_heaps(Crowd &crowd, size_t heap, int threads) {
   crowd.build(threads);
 }
 
+// Coordinates do not tell where giants are from each other, nor squeezed places where a particle has moved.
+void check_untold(uint64_t seed) {
+  Rng rng(seed);
+  hg::Memory memory(hg::system_allocator());
+  const bool giants = seed % 2 == 0;
+  Particles particles;
+  for (int i = 0; i < 200; i++) {
+    double center[3];
+    for (double &x : center) x = rng.uniform(0, 1) + (!giants && i % 2 == 0 ? 1e18 : 0);
+    particles.add(center, giants && i == 0 ? 1e6 : 0.1);
+  }
+  Crowd crowd(memory, open_space(3), {}, 0.01, particles, 1e6);
+  require(giants ? crowd.index.chunks.has_giants() : crowd.index.squeezed.in_use(), "no such index");
+  hg::PairPool pool(memory, 1);
+  hg::StoredCandidates candidates(memory, 1);
+  hg::SearchCounts counts;
+  require(!candidates.collect(crowd.index, crowd.tasks, crowd.store, {}, pool, counts), "candidates are kept");
+  require(!candidates.kept() && candidates.count() == 0 && !candidates.update(crowd.store, false), "kept after all");
+}
+
+void untold_motion(void **) { assert_true(sweep(10, check_untold)); }
+
 // 256 for each particle are kept, not one more.
 void check_too_many(uint64_t) {
   const size_t most = 2 * hg::kMostCandidatesPerParticle + 1;
@@ -379,6 +401,6 @@ void threads(void **) { assert_true(sweep(4, check_threads)); }
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(any_motion), cmocka_unit_test(leaving_the_box),
-                              cmocka_unit_test(too_many), cmocka_unit_test(threads)};
+                              cmocka_unit_test(untold_motion), cmocka_unit_test(too_many), cmocka_unit_test(threads)};
   return cmocka_run_group_tests_name("stored_candidates", tests, nullptr, nullptr);
 }
