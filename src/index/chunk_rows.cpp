@@ -41,7 +41,8 @@ bool ChunkRows::lay(const ChunkInput &input, const Sizes &sizes) {
       extent[axis] = level.space.high[axis] - level.space.low[axis];
       longest = std::max(longest, extent[axis]);
     }
-    const double diameter = sizes.diameter[h] * input.map.scale, least = longest / kMostAlongAxis;
+    // Beyond any extent a giant's cells need not grow.
+    const double diameter = std::min(sizes.diameter[h] * input.map.scale, 0x1p60), least = longest / kMostAlongAxis;
     fits = fits && least <= std::max(kCellLength * diameter, kLeastSlack);
     level.giants = diameter >= kGiantDiameter;
     level.cell = whole_float(std::max((kCellLength * diameter + kLeastSlack) / (1 - kSlackPerCell), least));
