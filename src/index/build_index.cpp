@@ -113,8 +113,8 @@ class Builder {
     index_.map = map_far(input, sizes.diameter);
     input.map = index_.map;
     for (int h = 0; h < index_.level_count; h++) {
-      level(h).cells.largest_radius =
-          static_cast<float>(index_.interaction.folded_radius(level(h).largest_radius) * index_.map.scale);
+      const double folded = index_.interaction.folded_radius(level(h).largest_radius) * index_.map.scale;
+      level(h).cells.largest_radius = static_cast<float>(std::min(folded, kBeyondAnyExtent));
     }
     PointStore &points = index_.particles;
     index_.chunks.build(input, sizes, D, count_, points.slot.data(), scratch_.chunks);

@@ -41,8 +41,8 @@ bool ChunkRows::lay(const ChunkInput &input, const Sizes &sizes) {
       extent[axis] = level.space.high[axis] - level.space.low[axis];
       longest = std::max(longest, extent[axis]);
     }
-    // Beyond any extent a giant's cells need not grow.
-    const double diameter = std::min(sizes.diameter[h] * input.map.scale, 0x1p60), least = longest / kMostAlongAxis;
+    const double diameter = std::min(sizes.diameter[h] * input.map.scale, kBeyondAnyExtent);
+    const double least = longest / kMostAlongAxis;
     fits = fits && least <= std::max(kCellLength * diameter, kLeastSlack);
     level.giants = diameter >= kGiantDiameter;
     level.cell = whole_float(std::max((kCellLength * diameter + kLeastSlack) / (1 - kSlackPerCell), least));
@@ -80,70 +80,9 @@ void ChunkRows::find_spaces(const ChunkInput &input, const Sizes &sizes, int dim
   }
 }
 
-void ChunkRows::build(ChunkInput input, const Sizes &sizes, int dimension, size_t count, uint32_t *slot,
-                      ChunkScratch &scratch) {
-  for (int h = 0; h < sizes.level_count; h++) {
-    levels_[h] = ChunkLevel{};
-    for (int axis = 0; axis < dimension; axis++) levels_[h].space.high[axis] = to_whole(input.map.extent[axis]);
-  }
-  if (!lay(input, sizes)) {
-    find_spaces(input, sizes, dimension, count);
-    lay(input, sizes);
-  }
-  ChunkLevelKey levels[HG_MAX_LEVELS];
-  for (int h = 0; h < level_count_; h++) {
-    const ChunkLevel &level = levels_[h];
-    levels[h] = {sizes.radius_limit[h],
-                 1 / level.cell,
-                 1 / level.row_width,
-                 {level.space.low[0], level.space.low[1], level.space.low[2]},
-                 level.first_layer};
-  }
-  input.level_count = level_count_;
-  input.levels = levels;
-  input.row_bits = row_bits_;
-  scratch.keys.require_room(count);
-  active_kernels().chunk_build[dimension - 2].find_keys(input, 0, count, scratch.keys.data());
-  const ChunkKey *keys = sort(scratch, count);
-  list_chunks(keys, count, slot, scratch);
-  number_units(scratch);
-  fill_cells(keys, count, scratch);
-  list_layers(scratch);
-  set_origins();
-  link_rows(dimension, scratch);
-}
-
-// By row, then by cell.
-const ChunkKey *ChunkRows::sort(ChunkScratch &scratch, size_t count) const {
-  const int slot_bits = bit_width(count);
-  if (layer_bits_ + row_bits_ + cell_bits_ + slot_bits <= 64) return sort_packed(scratch, count, slot_bits);
-  scratch.other_keys.require_room(count);
-  ChunkKey *keys = scratch.keys.data(), *other = scratch.other_keys.data();
-  ChunkKey *by_cell = radix_sort(keys, other, count, cell_bits_, [](const ChunkKey &key) { return key.cell; });
-  return radix_sort(by_cell, by_cell == keys ? other : keys, count, row_bits_ + layer_bits_,
-                    [](const ChunkKey &key) { return key.row; });
-}
-
-// The same with half of the memory to move.
-const ChunkKey *ChunkRows::sort_packed(ChunkScratch &scratch, size_t count, int slot_bits) const {
-  ChunkKey *keys = scratch.keys.data();
-  scratch.packed.require_room(2 * count);
-  uint64_t *packed = scratch.packed.data();
-  for (size_t i = 0; i < count; i++) {
-    packed[i] = (keys[i].row << cell_bits_ | keys[i].cell) << slot_bits | keys[i].slot;
-  }
-  const uint64_t *sorted = radix_sort(packed, packed + count, count, layer_bits_ + row_bits_ + cell_bits_,
-                                      [slot_bits](uint64_t key) { return key >> slot_bits; });
-  const uint64_t slots = (uint64_t{1} << slot_bits) - 1, cells = (uint64_t{1} << cell_bits_) - 1;
-  for (size_t i = 0; i < count; i++) {
-    const uint64_t place = sorted[i] >> slot_bits;
-    keys[i] = {place >> cell_bits_, static_cast<uint32_t>(place & cells), static_cast<uint32_t>(sorted[i] & slots)};
-  }
-  return keys;
-}
-
 // Without a branch for where a chunk or a row begins: what is not yet its place is written over.
-void ChunkRows::list_chunks(const ChunkKey *keys, size_t count, uint32_t *slot, ChunkScratch &scratch) {
+template <class KeyAt>
+void ChunkRows::list_chunks(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkScratch &scratch) {
   chunk_of_.require_room(count + kPadding);
   chunk_x_.require_room(count + kPadding);
   chunk_row_.require_room(count);
@@ -152,7 +91,7 @@ void ChunkRows::list_chunks(const ChunkKey *keys, size_t count, uint32_t *slot, 
   uint64_t row_before = ~uint64_t{0};
   uint32_t x_before = 0, chunk = 0, row = 0;  // one more than the number of the last one
   for (size_t i = 0; i < count; i++) {
-    const ChunkKey &key = keys[i];
+    const ChunkKey key = key_at(i);
     const uint32_t x = key.cell / kChunkCells;
     const uint32_t new_row = key.row != row_before ? 1 : 0;
     const uint32_t new_chunk = new_row | (x != x_before ? 1u : 0u);
@@ -191,16 +130,84 @@ void ChunkRows::number_units(ChunkScratch &scratch) {
   cells_ = (static_cast<size_t>(unit) + 3) * kChunkCells;
 }
 
-void ChunkRows::fill_cells(const ChunkKey *keys, size_t count, const ChunkScratch &scratch) {
+template <class KeyAt>
+void ChunkRows::fill_cells(KeyAt &&key_at, size_t count, const ChunkScratch &scratch) {
   cell_begin_.require_room(cells_ + kPadding);
   uint32_t *begin = cell_begin_.data();
   std::fill(begin, begin + cells_ + kPadding, 0u);
   for (size_t i = 0; i < count; i++) {
     const size_t unit = scratch.unit[chunk_of_[i]];
-    begin[unit * kChunkCells + keys[i].cell % kChunkCells + 1] = static_cast<uint32_t>(i + 1);
+    begin[unit * kChunkCells + key_at(i).cell % kChunkCells + 1] = static_cast<uint32_t>(i + 1);
   }
   uint32_t greatest = 0;
   for (size_t c = 0; c < cells_ + kPadding; c++) begin[c] = greatest = std::max(greatest, begin[c]);
+}
+
+// key_at(i) is the key of particle i in sorted order.
+template <class KeyAt>
+void ChunkRows::fill(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkScratch &scratch) {
+  list_chunks(key_at, count, slot, scratch);
+  number_units(scratch);
+  fill_cells(key_at, count, scratch);
+}
+
+void ChunkRows::build(ChunkInput input, const Sizes &sizes, int dimension, size_t count, uint32_t *slot,
+                      ChunkScratch &scratch) {
+  for (int h = 0; h < sizes.level_count; h++) {
+    levels_[h] = ChunkLevel{};
+    for (int axis = 0; axis < dimension; axis++) levels_[h].space.high[axis] = to_whole(input.map.extent[axis]);
+  }
+  if (!lay(input, sizes)) {
+    find_spaces(input, sizes, dimension, count);
+    lay(input, sizes);
+  }
+  ChunkLevelKey levels[HG_MAX_LEVELS];
+  for (int h = 0; h < level_count_; h++) {
+    const ChunkLevel &level = levels_[h];
+    levels[h] = {sizes.radius_limit[h],
+                 1 / level.cell,
+                 1 / level.row_width,
+                 {level.space.low[0], level.space.low[1], level.space.low[2]},
+                 level.first_layer};
+  }
+  input.level_count = level_count_;
+  input.levels = levels;
+  input.row_bits = row_bits_;
+  const ChunkBuildKernel &kernel = active_kernels().chunk_build[dimension - 2];
+  const PackedKeys packed{cell_bits_, bit_width(count)};
+  if (layer_bits_ + row_bits_ + cell_bits_ + packed.slot_bits <= 64) {
+    const uint64_t *keys = sorted_packed_keys(input, kernel, count, packed, scratch);
+    fill([keys, packed](size_t i) { return packed.unpack(keys[i]); }, count, slot, scratch);
+  } else {
+    const ChunkKey *keys = sorted_keys(input, kernel, count, scratch);
+    fill([keys](size_t i) { return keys[i]; }, count, slot, scratch);
+  }
+  list_layers(scratch);
+  set_origins();
+  link_rows(dimension, scratch);
+}
+
+// By row, then by cell.
+const ChunkKey *ChunkRows::sorted_keys(const ChunkInput &input, const ChunkBuildKernel &kernel, size_t count,
+                                       ChunkScratch &scratch) const {
+  scratch.keys.require_room(count);
+  scratch.other_keys.require_room(count);
+  ChunkKey *keys = scratch.keys.data(), *other = scratch.other_keys.data();
+  kernel.find_keys(input, 0, count, keys);
+  ChunkKey *by_cell = radix_sort(keys, other, count, cell_bits_, [](const ChunkKey &key) { return key.cell; });
+  return radix_sort(by_cell, by_cell == keys ? other : keys, count, row_bits_ + layer_bits_,
+                    [](const ChunkKey &key) { return key.row; });
+}
+
+// The same with half of the memory to move.
+const uint64_t *ChunkRows::sorted_packed_keys(const ChunkInput &input, const ChunkBuildKernel &kernel, size_t count,
+                                              const PackedKeys &packed, ChunkScratch &scratch) const {
+  scratch.packed.require_room(2 * count);
+  uint64_t *keys = scratch.packed.data();
+  kernel.find_packed_keys(input, packed, 0, count, keys);
+  const int slot_bits = packed.slot_bits;
+  return radix_sort(keys, keys + count, count, layer_bits_ + row_bits_ + cell_bits_,
+                    [slot_bits](uint64_t key) { return key >> slot_bits; });
 }
 
 void ChunkRows::list_layers(const ChunkScratch &scratch) {

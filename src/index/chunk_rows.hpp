@@ -41,11 +41,10 @@ struct ChunkLevel {
 struct ChunkScratch {
   explicit ChunkScratch(Memory &memory)
       : keys(memory), other_keys(memory), packed(memory), row_key(memory), unit(memory) {}
-  Buffer<ChunkKey> keys;
-  Buffer<ChunkKey> other_keys;  // to sort them, or
-  Buffer<uint64_t> packed;      // to sort them if they fit
-  Buffer<uint64_t> row_key;     // of each row
-  Buffer<uint32_t> unit;        // of each chunk
+  Buffer<ChunkKey> keys, other_keys;  // and room to sort them; or
+  Buffer<uint64_t> packed;            // both, if keys fit into one number
+  Buffer<uint64_t> row_key;           // of each row
+  Buffer<uint32_t> unit;              // of each chunk
 };
 
 class ChunkRows {
@@ -140,11 +139,17 @@ class ChunkRows {
 
   bool lay(const ChunkInput &input, const Sizes &sizes);
   void find_spaces(const ChunkInput &input, const Sizes &sizes, int dimension, size_t count);
-  const ChunkKey *sort(ChunkScratch &scratch, size_t count) const;
-  const ChunkKey *sort_packed(ChunkScratch &scratch, size_t count, int slot_bits) const;
-  void list_chunks(const ChunkKey *keys, size_t count, uint32_t *slot, ChunkScratch &scratch);
+  const ChunkKey *sorted_keys(const ChunkInput &input, const ChunkBuildKernel &kernel, size_t count,
+                              ChunkScratch &scratch) const;
+  const uint64_t *sorted_packed_keys(const ChunkInput &input, const ChunkBuildKernel &kernel, size_t count,
+                                     const PackedKeys &packed, ChunkScratch &scratch) const;
+  template <class KeyAt>
+  void fill(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkScratch &scratch);
+  template <class KeyAt>
+  void list_chunks(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkScratch &scratch);
   void number_units(ChunkScratch &scratch);
-  void fill_cells(const ChunkKey *keys, size_t count, const ChunkScratch &scratch);
+  template <class KeyAt>
+  void fill_cells(KeyAt &&key_at, size_t count, const ChunkScratch &scratch);
   void list_layers(const ChunkScratch &scratch);
   void set_origins();
   void link_rows(int dimension, ChunkScratch &scratch);

@@ -21,7 +21,9 @@ class ChunkBlock {
 
   static constexpr size_t size() { return kSize; }
 
-  void find_keys(size_t at, size_t count, ChunkKey *keys) {
+  // Calls write(i, key) for each.
+  template <class Write>
+  void find_keys(size_t at, size_t count, Write &&write) {
     for (size_t i = 0; i < kSize; i++) load_one(i, at + (i < count ? i : 0));
     for (int axis = 0; axis < D; axis++) to_places(axis);
     choose_levels();
@@ -35,7 +37,7 @@ class ChunkBlock {
     const int row_bits = input_.row_bits;
     for (size_t i = 0; i < count; i++) {
       const uint64_t row = ((number[2][i] + first_layer_[i]) << row_bits) + number[1][i] + 1;
-      keys[at + i] = {row, static_cast<uint32_t>(number[0][i]), static_cast<uint32_t>(at + i)};
+      write(at + i, ChunkKey{row, static_cast<uint32_t>(number[0][i]), static_cast<uint32_t>(at + i)});
     }
   }
 
@@ -47,7 +49,8 @@ class ChunkBlock {
       for (size_t i = 0; i < count; i++) to[at + i] = low_word(position_[axis][i]);
     }
     for (size_t i = 0; i < count; i++) {
-      output.radius[at + i] = static_cast<float>((radius_[i] + input_.extra_radius) * input_.map.scale);
+      const double folded = (radius_[i] + input_.extra_radius) * input_.map.scale;
+      output.radius[at + i] = static_cast<float>(folded < kBeyondAnyExtent ? folded : kBeyondAnyExtent);
     }
   }
 
@@ -103,12 +106,25 @@ class ChunkBlock {
   alignas(64) double low_[3][kSize];
 };
 
-template <int D>
-void find_chunk_keys(const ChunkInput &input, size_t begin, size_t end, ChunkKey *keys) {
+template <int D, class Write>
+void each_chunk_key(const ChunkInput &input, size_t begin, size_t end, Write &&write) {
   ChunkBlock<D> block(input);
   for (size_t at = begin; at < end; at += block.size()) {
-    block.find_keys(at, end - at < block.size() ? end - at : block.size(), keys);
+    block.find_keys(at, end - at < block.size() ? end - at : block.size(), write);
   }
+}
+
+template <int D>
+void find_chunk_keys(const ChunkInput &input, size_t begin, size_t end, ChunkKey *keys) {
+  each_chunk_key<D>(input, begin, end, [keys](size_t i, const ChunkKey &key) { keys[i] = key; });
+}
+
+template <int D>
+void find_packed_keys(const ChunkInput &input, const PackedKeys &packed, size_t begin, size_t end, uint64_t *keys) {
+  const int cell_bits = packed.cell_bits, slot_bits = packed.slot_bits;
+  each_chunk_key<D>(input, begin, end, [=](size_t i, const ChunkKey &key) {
+    keys[i] = (key.row << cell_bits | key.cell) << slot_bits | key.slot;
+  });
 }
 
 template <int D>
@@ -127,7 +143,7 @@ void put_into_chunks(const ChunkInput &input, const uint32_t *slots, size_t begi
 
 template <int D>
 constexpr ChunkBuildKernel make_chunk_build() {
-  return {find_chunk_keys<D>, put_into_chunks<D>};
+  return {find_chunk_keys<D>, find_packed_keys<D>, put_into_chunks<D>};
 }
 
 }  // namespace

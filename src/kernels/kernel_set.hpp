@@ -95,6 +95,17 @@ struct ChunkKey {
   uint32_t cell, slot;
 };
 
+// The same in one number, row before cell before slot, which has the lowest bits.
+struct PackedKeys {
+  int cell_bits, slot_bits;
+
+  ChunkKey unpack(uint64_t packed) const {
+    const uint64_t place = packed >> slot_bits;
+    return {place >> cell_bits, static_cast<uint32_t>(place & ((uint64_t{1} << cell_bits) - 1)),
+            static_cast<uint32_t>(packed & ((uint64_t{1} << slot_bits) - 1))};
+  }
+};
+
 // Columns of points; z is not written in 2D.
 struct ChunkScatter {
   int32_t *x, *y, *z;
@@ -103,6 +114,7 @@ struct ChunkScatter {
 
 struct ChunkBuildKernel {
   void (*find_keys)(const ChunkInput &input, size_t begin, size_t end, ChunkKey *keys);
+  void (*find_packed_keys)(const ChunkInput &input, const PackedKeys &packed, size_t begin, size_t end, uint64_t *keys);
   // Point i, for i in [begin, end), is the particle slots[i].
   void (*put)(const ChunkInput &input, const uint32_t *slots, size_t begin, size_t end, const ChunkScatter &output);
 };

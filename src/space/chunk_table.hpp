@@ -13,11 +13,14 @@ inline constexpr int kChunkCells = 8;
 // Where the chunks of a neighbouring row lie, as seen from a chunk at X: of X - 1, X and X + 1 there those that exist.
 // All three have consecutive units, as if they existed; a unit is 8 cells in cell_begin.
 struct ChunkWord {
-  static constexpr int32_t kFlags = 16;  // word = unit of X there * kFlags + 4 * last + first
-  static constexpr int32_t kFirst = 3;   // mask: the first cell that exists, in chunks from X - 1 on: 0, 1, 2
+  static constexpr int32_t kFlags = 16;             // word = unit of X there * kFlags + 4 * last + first
+  static constexpr int32_t kFirst = 3;              // mask: the first cell that exists, in chunks from X - 1 on
+  static constexpr int32_t kLast = 12;              // mask: 4 times the chunk that ends with the last one
   static constexpr int32_t kNone = kFlags + 4 + 1;  // an empty range of cells
-  static constexpr int32_t kLast = 12;              // mask: 4 times the chunk that ends with the last one: 1, 2, 3
 };
+
+// In quanta: longer lengths are as good as this one, which floats hold.
+inline constexpr double kBeyondAnyExtent = 0x1p60;
 
 // What a search from elsewhere must allow for beyond the slack of a level.
 inline constexpr double kFarSlack = 512;

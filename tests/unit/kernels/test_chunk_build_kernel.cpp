@@ -140,7 +140,24 @@ class Scene {
       kernel.put(input_, slots_.data(), cuts_[part], cuts_[part + 1],
                  {built.x[0].data(), built.x[1].data(), built.x[2].data(), built.radius.data()});
     }
+    check_packed(kernel, built);
     return built;
+  }
+
+  // The same keys in one number, as many of their bits as it holds.
+  void check_packed(const hg::ChunkBuildKernel &kernel, const Built &built) const {
+    const hg::PackedKeys packed{20, 13};
+    constexpr uint64_t kCells = (uint64_t{1} << 20) - 1, kRows = (uint64_t{1} << (64 - 20 - 13)) - 1;
+    std::vector<uint64_t> keys(count_ + 1, 7);
+    for (size_t part = 0; part + 1 < cuts_.size(); part++) {
+      kernel.find_packed_keys(input_, packed, cuts_[part], cuts_[part + 1], keys.data());
+    }
+    require(keys.back() == 7, "packed keys are written beyond their end");
+    for (size_t i = 0; i < count_; i++) {
+      const hg::ChunkKey &key = built.keys[i], found = packed.unpack(keys[i]);
+      if (key.cell > kCells || key.slot >> 13 != 0) continue;  // more bits than there are
+      require(found.row == (key.row & kRows) && found.cell == key.cell && found.slot == key.slot, "packed key %zu", i);
+    }
   }
 
   // The whole quotient, or one below it where the division leaves nothing.
