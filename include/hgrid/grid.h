@@ -53,7 +53,7 @@ HG_API hg_status hg_remove(hg_grid *grid, size_t count, const int32_t *ids);
 HG_API hg_status hg_clear(hg_grid *grid);
 
 /* Makes the grid ready for queries: chooses the levels and sorts the particles into cells. Searches nothing.
- * Queries call it when they must. Complexity: O(N) on evenly filled space, O(N log N) on sparse clusters. */
+ * Queries call it when they must. Complexity: O(N). */
 HG_API hg_status hg_build(hg_grid *grid);
 
 /* All pairs, each once, a < b, in the order of def.pair_order. *pairs is NULL only if *count is 0.
