@@ -51,6 +51,7 @@ class Drain {
     take();
     return pairs_;
   }
+  bool refused() const { return refused_; }
 
  private:
   static constexpr size_t kRoom = hg::kMaxPiece + hg::kPadding;
@@ -58,7 +59,8 @@ class Drain {
   static bool make_room(hg::PairOutput *output, size_t count) {
     auto *self = static_cast<Drain *>(output->owner);
     self->take();
-    return count <= kRoom && self->rooms_-- > 0;
+    self->refused_ = self->refused_ || count > kRoom || self->rooms_-- == 0;
+    return !self->refused_;
   }
   void take() {
     pairs_.insert(pairs_.end(), room_.data(), stream_.output.next);
@@ -67,6 +69,7 @@ class Drain {
 
   Pairs room_, pairs_;
   size_t rooms_;
+  bool refused_ = false;
   hg::PairStream stream_;
 };
 
@@ -97,6 +100,7 @@ inline void check_tasks(const Crowd &crowd, size_t stop_after) {
   bool go_on = true;
   for (size_t t = 0; go_on && t < crowd.tasks.count(); t++) go_on = search.send(t, stopped.stream());
   const size_t sent = stopped.pairs().size();
+  require(go_on != stopped.refused(), "a search that was stopped went on, or the other way round");
   require(sent <= all.size() && (!go_on || sent == all.size()), "%zu pairs before the stop, of %zu", sent, all.size());
   require_pairs("before the stop", stopped.pairs(), Pairs(all.begin(), all.begin() + static_cast<ptrdiff_t>(sent)));
 }

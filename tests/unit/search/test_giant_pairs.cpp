@@ -27,6 +27,28 @@ void any_crowds(void **) {
   assert_true(with_giants > 60);
 }
 
+// One giant over more dust than the output has room for at once.
+void check_many(uint64_t seed) {
+  Rng rng(seed);
+  hg::Memory memory(hg::system_allocator());
+  const hg::Domain domain = any_box(rng);
+  Particles particles;
+  particles.dimension = domain.dimension;
+  const double middle[3] = {50, 50, 50};
+  particles.add(middle, 20);
+  for (int i = 0; i < 4000; i++) {
+    const double spread = i % 4 == 0 ? 0.01 : 12;
+    double center[3];
+    for (double &x : center) x = 50 + spread * rng.uniform(-1, 1);
+    particles.add(center, 1e-6);
+  }
+  const Crowd crowd(memory, domain, {}, 0, particles, 1e6);
+  require(crowd.index.chunked && crowd.index.chunks.has_giants(), "no giants");
+  check_tasks(crowd, seed % 5);
+}
+
+void many_under_one(void **) { assert_true(sweep(10, check_many)); }
+
 // So large that neither its places nor floats know numbers for it.
 void check_beyond_float(uint64_t seed) {
   Rng rng(seed);
@@ -48,6 +70,7 @@ void beyond_float(void **) { assert_true(sweep(100, check_beyond_float)); }
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(any_crowds), cmocka_unit_test(beyond_float)};
+  const CMUnitTest tests[] = {cmocka_unit_test(any_crowds), cmocka_unit_test(many_under_one),
+                              cmocka_unit_test(beyond_float)};
   return cmocka_run_group_tests_name("giant_pairs", tests, nullptr, nullptr);
 }
