@@ -66,7 +66,7 @@ class ChunkBlock {
     const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
     const double length = input_.map.length[axis];
     if (length > 0) wrap_block(position, input_.map.box_min[axis], length, input_.extent[axis]);
-    for (size_t i = 0; i < kSize; i++) position[i] = to_whole(to_quanta(position[i], half_origin, scale));
+    for (double &place : position) place = to_whole(to_quanta(place, half_origin, scale));
   }
 
   // Eq. 3.

@@ -115,9 +115,9 @@ class UpdateBlock {
     const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
     const double length = input_.map.length[axis];
     if (length > 0) wrap_block(position, input_.map.box_min[axis], length, input_.extent[axis]);
-    for (size_t i = 0; i < kUpdateBlock; i++) {
-      const double place = to_quanta(position[i], half_origin, scale);
-      position[i] = place > -kFarthest ? (place < kFarthest ? place : kFarthest) : -kFarthest;
+    for (double &place : position) {
+      const double quanta = to_quanta(place, half_origin, scale);
+      place = quanta > -kFarthest ? (quanta < kFarthest ? quanta : kFarthest) : -kFarthest;
     }
     if (length > 0) {
       const double period = input_.map.period_place(axis);
