@@ -100,7 +100,8 @@ void Places::add_ball(size_t particles, const Vector &middle) {
 double Places::add_cone(size_t particles, const Vector &tip, int way, double slope) {
   const size_t most = centers_.size() + std::min(particles, left());
   double height = 0;  // in spacings
-  for (double layer = 0; centers_.size() < most; layer++) {
+  for (int64_t n = 0; centers_.size() < most; n++) {
+    const auto layer = static_cast<double>(n);
     height = layer;
     const double radius = layer / slope;
     for_points(last_axis(), static_cast<int64_t>(radius), [&](Vector point) {

@@ -138,7 +138,11 @@ Systems jax_md_322() {
 // A cut-off that is a multiple of the spacing, up to rounding: each pair is decided by the doubles that are there.
 Systems lsms_50() {
   std::vector<Point> atoms;
-  for (int i = 0; i < 125; i++) atoms.push_back({0.1 * (i % 5), 0.1 * (i / 5 % 5), 0.1 * (i / 25)});
+  atoms.reserve(125);
+  for (int i = 0; i < 125; i++) {
+    const int row = i / 5 % 5, layer = i / 25;
+    atoms.push_back({0.1 * (i % 5), 0.1 * row, 0.1 * layer});
+  }
   return {named("0.1", within(0.1, atoms)), named("0.2", within(0.2, atoms)), named("0.3", within(0.3, atoms))};
 }
 

@@ -68,7 +68,11 @@ Systems three_mesh_bvh_112() {
 Systems scipy_16600() {
   const double spacing = std::sqrt(2);
   std::vector<Point> points;
-  for (int i = 0; i < 16; i++) points.push_back({i % 4 * spacing, i / 4 * spacing, 0});
+  points.reserve(16);
+  for (int i = 0; i < 16; i++) {
+    const int row = i / 4;
+    points.push_back({i % 4 * spacing, row * spacing, 0});
+  }
   return {named("just the spacing", within(spacing, points)),
           named("a little more", within(spacing * (1 + 1e-15), points, 24)),
           named("a little less", within(spacing * (1 - 1e-15), points, 0))};
@@ -89,7 +93,8 @@ Systems arborx_235() {
     System pairs;
     pairs.name = std::to_string(overlap);
     for (int i = 0; i < 200; i++) {
-      const Point from = {2 * (i % 8) + rng.uniform(), 2 * (i / 8 % 8) + rng.uniform(), 2 * (i / 64) + rng.uniform()};
+      const int row = i / 8 % 8, layer = i / 64;
+      const Point from = {2 * (i % 8) + rng.uniform(), 2 * row + rng.uniform(), 2 * layer + rng.uniform()};
       const Point by = {rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)};
       pairs.radii.insert(pairs.radii.end(), {rng.uniform(0.1, 0.5), rng.uniform(0.1, 0.5)});
       const double distance = pairs.radii[pairs.radii.size() - 2] + pairs.radii.back() - overlap;

@@ -47,6 +47,7 @@ Systems jax_md_302() {
 // A chain of 14 atoms in a cell with right angles, its atoms in any image: each meets the next.
 Systems pymatgen_2226() {
   std::vector<Point> atoms;
+  atoms.reserve(14);
   for (int i = 0; i < 14; i++) atoms.push_back({0.3 * (i % 2), 0.5 + 0.9 * i, 1 + 1.1 * i});
   const System chain = periodic(within(1.6, atoms, 13), {6.90822086654748, 14.174561098843372, 20.018929340515705});
   return {named("as it is", chain), named("in other images", in_other_images(chain, 4, 1))};

@@ -88,6 +88,7 @@ Lives hoomd_2022() {
 // list must end in time.
 Lives librascal_143() {
   std::vector<Particles> steps;
+  steps.reserve(60);
   for (int step = 0; step < 60; step++) {
     steps.push_back(spheres({{0.7 - 0.005 * step, 5, 5}, {9.4 + 0.005 * step, 5, 5}, {2, 2, 0.01 * step}}, 0.5));
   }
