@@ -43,14 +43,16 @@ const std::vector<Arrangement> &arrangements() {
 
 std::string usual_densities() {
   std::string result = particles::text(kDense);
-  for (const Arrangement &row : arrangements())
+  for (const Arrangement &row : arrangements()) {
     if (row.density != kDense) result += std::string("; ") + row.name + ": " + particles::text(row.density);
+  }
   return result;
 }
 
 const Arrangement &arrangement_called(const std::string &name) {
-  for (const Arrangement &row : arrangements())
+  for (const Arrangement &row : arrangements()) {
     if (row.name == name) return row;
+  }
   throw particles::Error("no arrangement is called '" + name + "': use one of " +
                          particles::joined(particles::names_of(arrangements())));
 }

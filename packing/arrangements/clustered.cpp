@@ -25,10 +25,7 @@ Vector draw_in_cluster(const Places &places) {
     const double within = root(1 - places.random().uniform(), 3);
     inverse_square = 1 / (within * within) - 1;
   }
-  Vector direction;
-  do {
-    for (double &component : direction) component = 2 * places.random().uniform() - 1;
-  } while (square(direction) > 1 || square(direction) < 1e-6);
+  Vector direction = places.draw_off_middle(3);
   direction /= std::sqrt(square(direction) * inverse_square);
   if (places.dimension() == 2) direction[2] = 0;
   return direction;

@@ -32,7 +32,7 @@ void lay_filaments(Places &places) {
     for (size_t k = 0; k < of_a_tube; k++) {
       direction = bent(direction, places);
       axis += step * direction;
-      places.add(axis + kTubeRadius * places.draw_in_ball());
+      places.add(axis + kTubeRadius * places.draw_in_ball(places.dimension()));
     }
   }
 }

@@ -44,20 +44,25 @@ Vector Places::draw_in_cube(double edge_of_cube) const {
   return place;
 }
 
-Vector Places::draw_in_ball() const {
+Vector Places::draw_in_ball(int axes) const {
   Vector place = Vector::Zero();
   do {
-    for (int axis = 0; axis < dimension_; axis++) place[axis] = 2 * random_->uniform() - 1;
+    for (int axis = 0; axis < axes; axis++) place[axis] = 2 * random_->uniform() - 1;
   } while (square(place) > 1);
   return place;
 }
 
-Vector Places::draw_direction() const {
-  Vector direction;
+Vector Places::draw_off_middle(int axes) const {
+  Vector place;
   do {
-    direction = draw_in_ball();
-  } while (square(direction) < 1e-6);
-  return direction / std::sqrt(square(direction));
+    place = draw_in_ball(axes);
+  } while (square(place) < 1e-6);
+  return place;
+}
+
+Vector Places::draw_direction() const {
+  const Vector place = draw_off_middle(dimension_);
+  return place / std::sqrt(square(place));
 }
 
 void Places::add(const Vector &center) {

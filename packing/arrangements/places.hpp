@@ -32,8 +32,11 @@ class Places {
   double lattice_edge(size_t particles) const;
 
   Vector draw_in_cube(double edge_of_cube) const;  // one corner at the origin
-  Vector draw_in_ball() const;                     // of radius 1 around the origin
   Vector draw_direction() const;                   // a unit vector, all alike
+  // Of radius 1 around the origin, on the first `axes` axes; the second: not so near the middle that it has no
+  // direction.
+  Vector draw_in_ball(int axes) const;
+  Vector draw_off_middle(int axes) const;
 
   // What is laid beyond `count` is left out.
   void add(const Vector &center);

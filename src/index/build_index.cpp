@@ -4,15 +4,15 @@
 
 #include "src/base/parallel.hpp"
 #include "src/base/reductions.hpp"
+#include "src/index/build_chunks.hpp"
 #include "src/index/images.hpp"
+#include "src/index/particle_input.hpp"
 #include "src/kernels/kernel_set.hpp"
 #include "src/kernels/lanes_scalar.hpp"
 #include "src/levels/companions.hpp"
-#include "src/particles/bounds.hpp"
 #include "src/space/level_cells.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 
 namespace hg {
@@ -36,7 +36,7 @@ class Builder {
   void run() {
     populate_levels();
     if (!lay_levels()) {
-      sort_into_chunks();
+      build_chunks(index_, scratch_.chunks, store_, threads_);
       return;
     }
     scatter_into_rows();
@@ -93,76 +93,8 @@ class Builder {
     return true;
   }
 
-  void sort_into_chunks() {
-    index_.chunked = true;
-    ChunkRows::Sizes sizes;
-    sizes.level_count = index_.level_count;
-    for (int h = 0; h < index_.level_count; h++) {
-      IndexLevel &l = level(h);
-      sizes.diameter[h] = l.is_empty() ? index_.largest_reach() : index_.interaction.diameter(l.largest_radius);
-      sizes.radius_limit[h] = l.plan.radius_limit;
-    }
-    ChunkInput input{store_.centers(),
-                     store_.radii(),
-                     store_.summary().center,
-                     {},
-                     index_.interaction.folded_radius(0),
-                     0,
-                     nullptr,
-                     0};
-    index_.map = map_far(input, sizes.diameter);
-    input.map = index_.map;
-    for (int h = 0; h < index_.level_count; h++) {
-      const double folded = index_.interaction.folded_radius(level(h).largest_radius) * index_.map.scale;
-      level(h).cells.largest_radius = static_cast<float>(std::min(folded, kBeyondAnyExtent));
-    }
-    PointStore &points = index_.particles;
-    index_.chunks.build(input, sizes, D, count_, points.slot.data(), scratch_.chunks);
-    const ChunkScatter output{points.x.data(), points.y.data(), points.z.data(), points.radius.data()};
-    const ChunkBuildKernel &kernel = active_kernels().chunk_build[D - 2];
-    parallel_for(threads_, parts_, [&](size_t part, int) {
-      kernel.put(input, points.slot.data(), part_begin(part), part_begin(part + 1), output);
-    });
-    uint32_t giants = static_cast<uint32_t>(count_);
-    for (int h = index_.level_count - 1; h >= 0 && index_.chunks.level(h).giants; h--) giants = level(h).begin;
-    index_.chunks.place_giants(input, points.slot.data(), giants, count_, D);
-    index_.row_count = static_cast<int64_t>(index_.chunks.rows());
-    index_.cell_count = static_cast<int64_t>(index_.chunks.cells());
-  }
-
-  // The map of places that wrap, and where the centres are that it maps. It is as fine as the smallest need; so much
-  // larger ones become giants.
-  FixedPoint map_far(ChunkInput &input, const double *diameters) {
-    constexpr double kFineDiameter = 0x1p12;    // quanta
-    constexpr double kWorthSqueezing = 0x1p20;  // quanta: the largest diameter that extents shall leave
-    constexpr double kGap = 4;                  // largest diameters
-    const Domain &domain = index_.domain;
-    double largest = index_.largest_reach();
-    const double gap = kGap * largest;
-    for (int h = 0; h < index_.level_count; h++) {
-      if (level(h).is_empty() || !(diameters[h] > 0)) continue;
-      largest = std::min(largest, diameters[h] * (ChunkRows::kGiantDiameter / kFineDiameter));
-      break;
-    }
-    double most_wraps = 0;
-    bool any_open = false;
-    for (int axis = 0; axis < D; axis++) {
-      any_open = any_open || !domain.periodic[axis];
-      const Interval &x = store_.summary().center[axis];
-      most_wraps =
-          std::max({most_wraps, std::fabs(domain.wraps(axis, x.least)), std::fabs(domain.wraps(axis, x.greatest))});
-    }
-    const FixedPoint map = FixedPoint::wrapping(spread_of(store_, domain), domain, largest, most_wraps);
-    if (largest * map.scale >= kWorthSqueezing || !any_open || gap > SqueezedAxes::kLongestGap) return map;
-    const Bounds squeezed = index_.squeezed.squeeze(store_, domain, gap);
-    input.centers = index_.squeezed.centers();
-    return FixedPoint::wrapping(squeezed, domain, largest, most_wraps);
-  }
-
   BuildInput build_input(LevelRows *levels) {
-    const BuildInput input{
-        store_.centers(),   store_.radii(), store_.summary().center, index_.map, index_.interaction.folded_radius(0),
-        index_.level_count, levels};
+    const BuildInput input{particle_input(store_, index_), index_.level_count, levels};
     for (int h = 0; h < index_.level_count; h++) {
       const IndexLevel &l = level(h);
       levels[h] = {l.plan.radius_limit, 0, 0.5f, 0, 0.5f, 1, static_cast<uint32_t>(row_base_[h])};

@@ -22,6 +22,11 @@ double whole_float(double x) {
   return static_cast<double>(rounded);
 }
 
+// `cell`: the first of X there.
+int32_t chunk_word(int32_t cell, int32_t first, int32_t last) {
+  return cell / kChunkCells * ChunkWord::kFlags + first + 4 * last;
+}
+
 // On what a search must allow for see docs/theory/exactness.md, section 12.
 constexpr double kLeastSlack = 16;
 constexpr double kSlackPerCell = 0x1p-15;
@@ -117,27 +122,25 @@ void ChunkRows::list_chunks(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkS
 }
 
 // Chunks side by side have units side by side; where one is missing between two, it gets a unit as if it were there.
-void ChunkRows::number_units(ChunkScratch &scratch) {
-  scratch.unit.require_room(chunks_);
+void ChunkRows::number_cells() {
   chunk_cell_.require_room(chunks_ + kPadding);
-  uint32_t unit = 0;
+  int32_t cell = 0;
   for (size_t c = 0; c < chunks_; c++) {
     const bool one_missing = c > 0 && chunk_row_[c] == chunk_row_[c - 1] && chunk_x_[c] == chunk_x_[c - 1] + 2;
-    unit += 1 + (one_missing ? 1 : 0);  // unit 0 is never used: a chunk before the first one's has a number
-    scratch.unit[c] = unit;
-    chunk_cell_[c] = static_cast<int32_t>(unit * kChunkCells);
+    cell += one_missing ? 2 * kChunkCells : kChunkCells;  // unit 0 is never used: what is before the first has a number
+    chunk_cell_[c] = cell;
   }
-  cells_ = (static_cast<size_t>(unit) + 3) * kChunkCells;
+  cells_ = static_cast<size_t>(cell) + size_t{3} * kChunkCells;
 }
 
 template <class KeyAt>
-void ChunkRows::fill_cells(KeyAt &&key_at, size_t count, const ChunkScratch &scratch) {
+void ChunkRows::fill_cells(KeyAt &&key_at, size_t count) {
   cell_begin_.require_room(cells_ + kPadding);
   uint32_t *begin = cell_begin_.data();
   std::fill(begin, begin + cells_ + kPadding, 0u);
   for (size_t i = 0; i < count; i++) {
-    const size_t unit = scratch.unit[chunk_of_[i]];
-    begin[unit * kChunkCells + key_at(i).cell % kChunkCells + 1] = static_cast<uint32_t>(i + 1);
+    const auto first = static_cast<size_t>(chunk_cell_[chunk_of_[i]]);
+    begin[first + key_at(i).cell % kChunkCells + 1] = static_cast<uint32_t>(i + 1);
   }
   uint32_t greatest = 0;
   for (size_t c = 0; c < cells_ + kPadding; c++) begin[c] = greatest = std::max(greatest, begin[c]);
@@ -147,8 +150,8 @@ void ChunkRows::fill_cells(KeyAt &&key_at, size_t count, const ChunkScratch &scr
 template <class KeyAt>
 void ChunkRows::fill(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkScratch &scratch) {
   list_chunks(key_at, count, slot, scratch);
-  number_units(scratch);
-  fill_cells(key_at, count, scratch);
+  number_cells();
+  fill_cells(key_at, count);
 }
 
 void ChunkRows::build(ChunkInput input, const Sizes &sizes, int dimension, size_t count, uint32_t *slot,
@@ -177,7 +180,7 @@ void ChunkRows::build(ChunkInput input, const Sizes &sizes, int dimension, size_
   const PackedKeys packed{cell_bits_, bit_width(count)};
   if (layer_bits_ + row_bits_ + cell_bits_ + packed.slot_bits <= 64) {
     const uint64_t *keys = sorted_packed_keys(input, kernel, count, packed, scratch);
-    fill([keys, packed](size_t i) { return packed.unpack(keys[i]); }, count, slot, scratch);
+    fill([keys, packed](size_t i) { return unpack(packed, keys[i]); }, count, slot, scratch);
   } else {
     const ChunkKey *keys = sorted_keys(input, kernel, count, scratch);
     fill([keys](size_t i) { return keys[i]; }, count, slot, scratch);
@@ -257,32 +260,32 @@ void ChunkRows::set_origins() {
 }
 
 // Rows are sorted, so the neighbours of all rows in the next layer are met by one walk.
-void ChunkRows::link_rows(int dimension, ChunkScratch &scratch) {
+void ChunkRows::link_rows(int dimension, const ChunkScratch &scratch) {
   for (auto &word : word_) word.require_room(chunks_ + kPadding);
   for (int n = 1; n < kStencilRows; n++) std::fill(word_[n].data(), word_[n].data() + chunks_, ChunkWord::kNone);
-  link_own_row(scratch);
+  link_own_row();
   const uint64_t *key = scratch.row_key.data();
   size_t next = 0;
   for (size_t row = 0; row < rows_; row++) {
-    if (key[row + 1] == key[row] + 1) link_row(row, 1, row + 1, scratch);
+    if (key[row + 1] == key[row] + 1) link_row(row, 1, row + 1);
     if (dimension == 2) continue;
     const uint64_t first = key[row] + (uint64_t{1} << row_bits_) - 1;
     while (next < rows_ && key[next] < first) next++;
     for (size_t n = next; n < next + 3; n++) {
-      if (key[n] - first < 3) link_row(row, 2 + static_cast<int>(key[n] - first), n, scratch);
+      if (key[n] - first < 3) link_row(row, 2 + static_cast<int>(key[n] - first), n);
     }
   }
 }
 
-void ChunkRows::link_own_row(const ChunkScratch &scratch) {
+void ChunkRows::link_own_row() {
   for (size_t c = 0; c < chunks_; c++) {
     const bool before = c > 0 && chunk_row_[c - 1] == chunk_row_[c] && chunk_x_[c - 1] + 1 == chunk_x_[c];
     const bool after = c + 1 < chunks_ && chunk_row_[c + 1] == chunk_row_[c] && chunk_x_[c] + 1 == chunk_x_[c + 1];
-    word_[0][c] = static_cast<int32_t>(scratch.unit[c] * ChunkWord::kFlags) + (before ? 0 : 1) + 4 * (after ? 3 : 2);
+    word_[0][c] = chunk_word(chunk_cell_[c], before ? 0 : 1, after ? 3 : 2);
   }
 }
 
-void ChunkRows::link_row(size_t row, int stencil_row, size_t neighbor, const ChunkScratch &scratch) {
+void ChunkRows::link_row(size_t row, int stencil_row, size_t neighbor) {
   const size_t end = row_chunk_[neighbor + 1];
   const int32_t *x = chunk_x_.data();
   for (size_t c = row_chunk_[row]; c < row_chunk_[row + 1]; c++) {
@@ -295,8 +298,7 @@ void ChunkRows::link_row(size_t row, int stencil_row, size_t neighbor, const Chu
     }
     if (exists == 0) continue;
     const int first = __builtin_ctz(exists), last = bit_width(exists);
-    const auto unit = static_cast<int32_t>(scratch.unit[at]) + 1 - first;
-    word_[stencil_row][c] = unit * ChunkWord::kFlags + first + 4 * last;
+    word_[stencil_row][c] = chunk_word(chunk_cell_[at] + (1 - first) * kChunkCells, first, last);
   }
 }
 

@@ -39,12 +39,10 @@ struct ChunkLevel {
 
 // What building needs besides, kept between builds.
 struct ChunkScratch {
-  explicit ChunkScratch(Memory &memory)
-      : keys(memory), other_keys(memory), packed(memory), row_key(memory), unit(memory) {}
+  explicit ChunkScratch(Memory &memory) : keys(memory), other_keys(memory), packed(memory), row_key(memory) {}
   Buffer<ChunkKey> keys, other_keys;  // and room to sort them; or
   Buffer<uint64_t> packed;            // both, if keys fit into one number
   Buffer<uint64_t> row_key;           // of each row
-  Buffer<uint32_t> unit;              // of each chunk
 };
 
 class ChunkRows {
@@ -147,14 +145,14 @@ class ChunkRows {
   void fill(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkScratch &scratch);
   template <class KeyAt>
   void list_chunks(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkScratch &scratch);
-  void number_units(ChunkScratch &scratch);
+  void number_cells();
   template <class KeyAt>
-  void fill_cells(KeyAt &&key_at, size_t count, const ChunkScratch &scratch);
+  void fill_cells(KeyAt &&key_at, size_t count);
   void list_layers(const ChunkScratch &scratch);
   void set_origins();
-  void link_rows(int dimension, ChunkScratch &scratch);
-  void link_own_row(const ChunkScratch &scratch);
-  void link_row(size_t row, int stencil_row, size_t neighbor, const ChunkScratch &scratch);
+  void link_rows(int dimension, const ChunkScratch &scratch);
+  void link_own_row();
+  void link_row(size_t row, int stencil_row, size_t neighbor);
   size_t lower_chunk(size_t row, int32_t x) const;
 
   ChunkLevel levels_[HG_MAX_LEVELS];

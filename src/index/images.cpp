@@ -18,8 +18,9 @@ class ImageBuilder {
       : index_(index), dimension_(index.domain.dimension), find_images_(active_kernels().find_images[dimension_ - 2]) {
     for (int axis = 0; axis < dimension_; axis++) period_place_[axis] = index.map.period_place(axis);
     for (Image image = 0; image < kImages; image++) {
-      for (int axis = 0; axis < 3; axis++)
+      for (int axis = 0; axis < 3; axis++) {
         shift_[axis][image] = moved_by(0, image_step(image, axis), index.map.period[axis]);
+      }
     }
   }
 
@@ -59,9 +60,9 @@ class ImageBuilder {
     chunks.visit_box(level, level.space, [&](size_t chunk, const double *corner) {
       const double end[3] = {corner[0] + level.chunk_length(), corner[1] + level.row_width,
                              corner[2] + level.row_width};
-      for (Image image = 0; image < kImages; image++) {
-        if ((wanted >> image & 1) != 0 && reaches_box(image, corner, end, reach))
-          add_chunk(chunk, corner, image, reach);
+      const ImageSet some = wanted & images_near_box(corner, end, reach);
+      for (ImageSet left = some; left != 0; left &= left - 1) {
+        add_chunk(chunk, corner, static_cast<Image>(__builtin_ctz(static_cast<uint32_t>(left))), reach);
       }
       return true;
     });
@@ -73,7 +74,7 @@ class ImageBuilder {
     for (uint32_t i = index_.chunks.chunk_begin(chunk); i < index_.chunks.chunk_end(chunk); i++) {
       double place[3];
       index_.chunks.find_place(points, i, chunk, corner, dimension_, place);
-      if (!reaches_box(image, place, place, reach)) continue;
+      if ((images_near_box(place, place, reach) >> image & 1) == 0) continue;
       for (int axis = 0; axis < dimension_; axis++) {
         index_.image_place[axis].grow(count_ + found + 1);
         index_.image_place[axis][count_ + found] = place[axis] + image_step(image, axis) * period_place_[axis];
@@ -86,15 +87,16 @@ class ImageBuilder {
     append(found);
   }
 
-  // May what lies between two places come near the box once it is moved by the image's step?
-  bool reaches_box(Image image, const double *low, const double *high, double reach) const {
+  // By which steps may what lies between two places come near the box? As the kernel asks of points.
+  ImageSet images_near_box(const double *low, const double *high, double reach) const {
+    ImageSet images = kForwardImages | kBackwardImages;
     for (int axis = 0; axis < 3; axis++) {
-      const int step = image_step(image, axis);
-      if (step == 0) continue;
-      if (!index_.domain.periodic[axis]) return false;
-      if (step < 0 ? high[axis] + reach < period_place_[axis] : low[axis] > reach) return false;
+      const ImageSet *step = kImagesWithStep[axis];
+      const bool periodic = index_.domain.periodic[axis];
+      const bool down = periodic && high[axis] + reach >= period_place_[axis], up = periodic && low[axis] <= reach;
+      images &= step[1] | (down ? step[0] : 0) | (up ? step[2] : 0);
     }
-    return true;
+    return images;
   }
 
   void append(size_t found) {

@@ -5,6 +5,7 @@
 // them between. Plain loops over blocks that the compiler turns into vector code of the file's instruction set.
 #pragma once
 
+#include "src/kernels/choose_levels.hpp"
 #include "src/kernels/kernel_set.hpp"
 #include "src/kernels/lanes_scalar.hpp"
 #include "src/kernels/wrap.hpp"
@@ -94,28 +95,14 @@ class BuildBlock {
   void find_rows() {
     float inverse_y[kBuildBlock], last_y[kBuildBlock], inverse_z[kBuildBlock], last_z[kBuildBlock];
     uint32_t count_y[kBuildBlock], base[kBuildBlock];
-    const LevelRows &finest = input_.levels[0];
-    for (size_t i = 0; i < kBuildBlock; i++) {
-      inverse_y[i] = finest.inverse_y;
-      last_y[i] = finest.last_y;
-      inverse_z[i] = finest.inverse_z;
-      last_z[i] = finest.last_z;
-      count_y[i] = finest.count_y;
-      base[i] = finest.row_base;
-    }
-    for (int h = 1; h < input_.level_count; h++) {
-      const LevelRows level = input_.levels[h];
-      const double limit = input_.levels[h - 1].radius_limit;
-      for (size_t i = 0; i < kBuildBlock; i++) {
-        const bool coarser = radius_[i] > limit;
-        inverse_y[i] = coarser ? level.inverse_y : inverse_y[i];
-        last_y[i] = coarser ? level.last_y : last_y[i];
-        inverse_z[i] = coarser ? level.inverse_z : inverse_z[i];
-        last_z[i] = coarser ? level.last_z : last_z[i];
-        count_y[i] = coarser ? level.count_y : count_y[i];
-        base[i] = coarser ? level.row_base : base[i];
-      }
-    }
+    choose_levels(radius_, input_.levels, input_.level_count, [&](size_t i, const LevelRows &level, bool yes) {
+      take_if(yes, inverse_y[i], level.inverse_y);
+      take_if(yes, last_y[i], level.last_y);
+      take_if(yes, inverse_z[i], level.inverse_z);
+      take_if(yes, last_z[i], level.last_z);
+      take_if(yes, count_y[i], level.count_y);
+      take_if(yes, base[i], level.row_base);
+    });
     for (size_t i = 0; i < kBuildBlock; i++) {
       const uint32_t y = row_along(fixed_[1][i], inverse_y[i], last_y[i]);
       const uint32_t z = D == 3 ? row_along(fixed_[2][i], inverse_z[i], last_z[i]) : 0;

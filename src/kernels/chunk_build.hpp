@@ -4,10 +4,9 @@
 // which they are sorted, and then their points. Plain loops over blocks, as in build.hpp.
 #pragma once
 
+#include "src/kernels/choose_levels.hpp"
 #include "src/kernels/kernel_set.hpp"
 #include "src/kernels/wrap.hpp"
-
-#include <cstring>
 
 namespace hg {
 namespace {
@@ -26,7 +25,12 @@ class ChunkBlock {
   void find_keys(size_t at, size_t count, Write &&write) {
     for (size_t i = 0; i < kSize; i++) load_one(i, at + (i < count ? i : 0));
     for (int axis = 0; axis < D; axis++) to_places(axis);
-    choose_levels();
+    choose_levels(radius_, input_.levels, input_.level_count, [this](size_t i, const ChunkLevelKey &level, bool yes) {
+      take_if(yes, inverse_cell_[i], level.inverse_cell);
+      take_if(yes, inverse_width_[i], level.inverse_width);
+      take_if(yes, first_layer_[i], level.first_layer);
+      for (int axis = 0; axis < D; axis++) take_if(yes, low_[axis][i], level.low[axis]);
+    });
     uint64_t number[3][kSize];
     for (int axis = 0; axis < 3; axis++) {
       const double *inverse = axis == 0 ? inverse_cell_ : inverse_width_;
@@ -69,28 +73,6 @@ class ChunkBlock {
     for (double &place : position) place = to_whole(to_quanta(place, half_origin, scale));
   }
 
-  // Eq. 3.
-  void choose_levels() {
-    const ChunkLevelKey &finest = input_.levels[0];
-    for (size_t i = 0; i < kSize; i++) {
-      inverse_cell_[i] = finest.inverse_cell;
-      inverse_width_[i] = finest.inverse_width;
-      first_layer_[i] = finest.first_layer;
-      for (int axis = 0; axis < D; axis++) low_[axis][i] = finest.low[axis];
-    }
-    for (int h = 1; h < input_.level_count; h++) {
-      const ChunkLevelKey level = input_.levels[h];
-      const double limit = input_.levels[h - 1].radius_limit;
-      for (size_t i = 0; i < kSize; i++) {
-        const bool coarser = radius_[i] > limit;
-        inverse_cell_[i] = coarser ? level.inverse_cell : inverse_cell_[i];
-        inverse_width_[i] = coarser ? level.inverse_width : inverse_width_[i];
-        first_layer_[i] = coarser ? level.first_layer : first_layer_[i];
-        for (int axis = 0; axis < D; axis++) low_[axis][i] = coarser ? level.low[axis] : low_[axis][i];
-      }
-    }
-  }
-
   // Of 0 <= x < 2^51.
   static uint64_t floor_bits(double x) {
     const double whole = to_whole(x);
@@ -121,10 +103,7 @@ void find_chunk_keys(const ChunkInput &input, size_t begin, size_t end, ChunkKey
 
 template <int D>
 void find_packed_keys(const ChunkInput &input, const PackedKeys &packed, size_t begin, size_t end, uint64_t *keys) {
-  const int cell_bits = packed.cell_bits, slot_bits = packed.slot_bits;
-  each_chunk_key<D>(input, begin, end, [=](size_t i, const ChunkKey &key) {
-    keys[i] = (key.row << cell_bits | key.cell) << slot_bits | key.slot;
-  });
+  each_chunk_key<D>(input, begin, end, [=](size_t i, const ChunkKey &key) { keys[i] = pack(packed, key); });
 }
 
 template <int D>

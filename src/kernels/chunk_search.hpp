@@ -20,6 +20,7 @@ class ChunkSearch : RangeTest<V, D, Rule> {
   using Test::kParts;
   using Test::points_;
   using Test::push;
+  using Test::search_reach;
   using typename Test::F;
   using typename Test::I;
   using typename Test::M;
@@ -47,10 +48,11 @@ class ChunkSearch : RangeTest<V, D, Rule> {
 
   // Points against chunks that are listed as seen from a place near them.
   bool near_chunks(uint32_t begin, uint32_t end, const int32_t *place, const NearChunks &near) {
+    const float slack = chunks_.slack + static_cast<float>(kFarSlack);
     for (uint32_t i = begin; i < end; i++) {
       const F x = offset(points_.x[i], place[0]), y = offset(points_.y[i], place[1]);
       const F z = D == 3 ? offset(points_.z[i], place[2]) : V::set(0.0f);
-      const F reach = reach_of(V::set(points_.radius[i]), chunks_.slack + static_cast<float>(kFarSlack));
+      const F reach = search_reach(V::set(points_.radius[i]), chunks_.largest_radius, slack);
       const F reach2 = V::mul(reach, reach);
       for (uint32_t at = 0; at < near.count; at += kLanes) {
         const I lane = V::add(V::set(static_cast<int32_t>(at)), V::iota());
@@ -87,19 +89,13 @@ class ChunkSearch : RangeTest<V, D, Rule> {
       p.x = V::add(V::mul(from_corner(0, p, points_.x + at), inverse_), V::set(static_cast<float>(kChunkCells)));
       p.y = from_corner(1, p, points_.y + at);
       p.z = D == 3 ? from_corner(2, p, points_.z + at) : V::set(0.0f);
-      p.reach = reach_of(V::load(points_.radius + at), chunks_.slack);
+      p.reach = search_reach(V::load(points_.radius + at), chunks_.largest_radius, chunks_.slack);
       p.reach2 = V::mul(p.reach, p.reach);
     }
   }
 
   F from_corner(int axis, const Part &p, const int32_t *x) const {
     return V::to_float(V::sub(V::load(x), gather(chunks_.origin[axis], p.chunk, p.active)));
-  }
-
-  // The half edge of the search box (Eq. 4), with the largest radius of the level in place of s_h / 2.
-  F reach_of(F radius, float slack) const {
-    const F reach = Rule::template base<V>(radius, V::set(chunks_.largest_radius));
-    return V::mul(V::add(reach, V::set(slack)), V::set(kSearchScale));
   }
 
   static I gather(const int32_t *p, I i, M m) { return V::gather(reinterpret_cast<const uint32_t *>(p), i, m); }

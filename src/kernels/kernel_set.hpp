@@ -35,19 +35,22 @@ using InputCheckKernel = InputSummary(const InputArrays &input);
 
 // ---- build: from the caller's arrays to rows of points
 
-// Of a level: rows are numbered row_base + z * count_y + y. A level without a table of cells has zero inverse widths
-// and a single row.
+// Of a level: rows are numbered row_base + z * count_y + y. An empty level has zero inverse widths and a single row.
 struct LevelRows {
   double radius_limit;  // the largest radius that the level takes
   float inverse_y, last_y, inverse_z, last_z;
   uint32_t count_y, row_base;
 };
 
-struct BuildInput {
+// The caller's particles, and what makes points of them.
+struct ParticleInput {
   const double *centers, *radii;
   const Interval *extent;  // of all centers, by axis
   FixedPoint map;
   double extra_radius;  // makes a radius a folded one
+};
+
+struct BuildInput : ParticleInput {
   int level_count;
   const LevelRows *levels;
 };
@@ -79,11 +82,7 @@ struct ChunkLevelKey {
   uint64_t first_layer;
 };
 
-struct ChunkInput {
-  const double *centers, *radii;
-  const Interval *extent;  // of all centers, by axis
-  FixedPoint map;
-  double extra_radius;
+struct ChunkInput : ParticleInput {
   int level_count;
   const ChunkLevelKey *levels;
   int row_bits;  // of the number of a row in its layer
@@ -98,13 +97,16 @@ struct ChunkKey {
 // The same in one number, row before cell before slot, which has the lowest bits.
 struct PackedKeys {
   int cell_bits, slot_bits;
-
-  ChunkKey unpack(uint64_t packed) const {
-    const uint64_t place = packed >> slot_bits;
-    return {place >> cell_bits, static_cast<uint32_t>(place & ((uint64_t{1} << cell_bits) - 1)),
-            static_cast<uint32_t>(packed & ((uint64_t{1} << slot_bits) - 1))};
-  }
 };
+// `static`, as the kernels of each instruction set compile their own copy.
+static inline uint64_t pack(const PackedKeys &packed, const ChunkKey &key) {
+  return (key.row << packed.cell_bits | key.cell) << packed.slot_bits | key.slot;
+}
+static inline ChunkKey unpack(const PackedKeys &packed, uint64_t key) {
+  const uint64_t place = key >> packed.slot_bits;
+  return {place >> packed.cell_bits, static_cast<uint32_t>(place & ((uint64_t{1} << packed.cell_bits) - 1)),
+          static_cast<uint32_t>(key & ((uint64_t{1} << packed.slot_bits) - 1))};
+}
 
 // Columns of points; z is not written in 2D.
 struct ChunkScatter {

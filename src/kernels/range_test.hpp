@@ -35,6 +35,13 @@ class RangeTest {
   RangeTest(const PointArrays &points, const PointArrays &particles, PairStream *stream)
       : points_(points), particles_(particles), stream_(stream) {}
 
+  // The half edge a of the search box (Eq. 4), with the largest radius of the level in place of s_h / 2, and what a
+  // search must allow for.
+  static F search_reach(F radius, float largest_radius, float slack) {
+    const F reach = Rule::template base<V>(radius, V::set(largest_radius));
+    return V::mul(V::add(reach, V::set(slack)), V::set(kSearchScale));
+  }
+
   bool has_room_for(uint32_t ranges) const { return ranges_.count <= kMaxRanges - ranges; }
 
   void push(I point, I begin, I end, M wanted) {

@@ -24,6 +24,7 @@ class LevelSearch : RangeTest<V, D, Rule> {
   using Test::kParts;
   using Test::points_;
   using Test::push;
+  using Test::search_reach;
   using typename Test::F;
   using typename Test::I;
   using typename Test::M;
@@ -87,10 +88,8 @@ class LevelSearch : RangeTest<V, D, Rule> {
     }
   }
 
-  // The half edge a of the search box (Eq. 4), with the largest radius of the level in place of s_h / 2.
   void set_reach(Part &p, F radius) const {
-    const F reach = Rule::template base<V>(radius, V::set(cells_.largest_radius));
-    p.reach = V::mul(V::add(reach, V::set(kSearchSlack)), V::set(kSearchScale));
+    p.reach = search_reach(radius, cells_.largest_radius, kSearchSlack);
     p.reach2 = V::mul(p.reach, p.reach);
   }
 

@@ -114,17 +114,15 @@ void StoredCandidates::set_points(const ParticleStore &store) {
   const PointStore &from = index_->particles;
   const bool flat = index_->domain.dimension == 2;
   const double extra = interaction_.folded_radius(0), scale = index_->map.scale;
+  const int with_places = index_->chunked ? index_->domain.dimension : 0;
+  for (int axis = 0; axis < with_places; axis++) place_[axis].require_room(particle_count_);
   for_parts([&](size_t begin, size_t end) {
     for (size_t p = begin; p < end; p++) {
       const auto radius = static_cast<float>((store.radius(slot_[p]) + extra) * scale);
       points_[p] = {from.x[p], from.y[p], flat ? 0 : from.z[p], radius};
+      for (int axis = 0; axis < with_places; axis++) place_[axis][p] = place_of(p, axis, store);
     }
   });
-  if (!index_->chunked) return;
-  for (int axis = 0; axis < index_->domain.dimension; axis++) {
-    place_[axis].require_room(particle_count_);
-    for (size_t p = 0; p < particle_count_; p++) place_[axis][p] = place_of(p, axis, store);
-  }
 }
 
 double StoredCandidates::place_of(size_t p, int axis, const ParticleStore &store) const {
@@ -205,8 +203,9 @@ bool StoredCandidates::update_particles(const ParticleStore &store, bool radii) 
                     interaction_.folded_radius(0),
                     index_->interaction.folded_radius(0),
                     room_};
-  for (int axis = 0; index_->chunked && axis < index_->domain.dimension; axis++)
+  for (int axis = 0; index_->chunked && axis < index_->domain.dimension; axis++) {
     input.place[axis] = place_[axis].data();
+  }
   UpdateKernel *kernel = active_kernels().update[index_->domain.dimension - 2];
   std::atomic<bool> all_near{true};
   for_parts([&](size_t begin, size_t end) {

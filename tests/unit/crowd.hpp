@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hgtest {
 
@@ -49,8 +50,8 @@ class Crowd {
   Crowd(uint64_t seed, hg::Memory &memory, const CrowdShape &shape)
       : Crowd(memory, box_of(shape), shape.interaction, shape.skin, particles_of(seed, shape)) {}
   Crowd(hg::Memory &memory, const hg::Domain &domain, const hg::Interaction &interaction, double skin,
-        const Particles &of_particles, double level_ratio = 2)
-      : particles(of_particles),
+        Particles of_particles, double level_ratio = 2)
+      : particles(std::move(of_particles)),
         index(memory, domain, interaction.widened(skin)),
         tasks(memory),
         store(make_store(memory, domain, interaction)),

@@ -86,7 +86,9 @@ class FarParticles {
   }
   // Place in sorted order, 0 along an axis that is not there.
   double place(size_t i, int axis) const { return axis < dimension ? center(slot[i], axis) : 0; }
-  hg::ChunkInput input() const { return {centers.data(), radii.data(), nullptr, map, 0, 0, nullptr, 0}; }  // open axes
+  hg::ChunkInput input() const {
+    return {{centers.data(), radii.data(), nullptr, map, 0}, 0, nullptr, 0};
+  }  // open axes
   hg::PointArrays points() const {
     return {x[0].data(), x[1].data(), x[2].data(), radius.data(), slot.data(), nullptr};
   }

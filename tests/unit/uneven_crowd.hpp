@@ -25,15 +25,31 @@ inline Particles uneven_particles(Rng &rng, const hg::Domain &domain, size_t cou
   particles.dimension = domain.dimension;
   while (particles.count() < count) {
     const double radius = Crowd::kEdge * std::pow(10, rng.uniform(std::log10(smallest), -1.3));
-    const auto members = static_cast<double>(rng.integer(1, 100));
+    const int members = rng.integer(1, 100);
     const double spread = rng.chance(0.2) ? Crowd::kEdge : radius * std::pow(members, 1.0 / 3) * rng.uniform(0.5, 4);
     double middle[3];
     for (double &x : middle) x = rng.chance(0.3) ? 0 : Crowd::kEdge * rng.uniform();
-    for (double n = 0; n < members && particles.count() < count; n++) {
+    for (int n = 0; n < members && particles.count() < count; n++) {
       double center[3] = {0, 0, 0};
       for (int axis = 0; axis < domain.dimension; axis++) center[axis] = middle[axis] + spread * rng.uniform(-1, 1);
       particles.add(center, rng.chance(0.3) ? radius * smallest / 0.05 + 1e-300 : radius * rng.uniform(0.5, 1));
     }
+  }
+  return particles;
+}
+
+// One ball in the middle, in a thin cloud of dust of which a quarter lies in a dense core; `cloud` and `core` are
+// their half widths.
+inline Particles ball_in_dust(Rng &rng, int dimension, int count, double cloud, double core, double dust_radius) {
+  Particles particles;
+  particles.dimension = dimension;
+  const double middle[3] = {50, 50, 50};
+  particles.add(middle, 20);
+  for (int i = 0; i < count; i++) {
+    const double spread = i % 4 == 0 ? core : cloud;
+    double center[3];
+    for (double &x : center) x = 50 + spread * rng.uniform(-1, 1);
+    particles.add(center, dust_radius);
   }
   return particles;
 }

@@ -90,6 +90,26 @@ class SearchCheck {
     require_pairs("decided", run_all(rules, run).pairs, kept);
   }
 
+  // `Sent` of points that may be images: what is asked about names the image that its point is.
+  static void require_images(const Sent &sent, const Points &points, int32_t first_slot) {
+    for (size_t k = 0; k < sent.asked.size(); k++) {
+      const auto point = static_cast<size_t>(sent.asked[k].a - first_slot);
+      require(point < points.count && sent.images[k] == points.image[point], "another image is asked about");
+    }
+  }
+
+  // An output without room ends the search.
+  template <class Run>
+  static void check_stopping(Run &&run) {
+    RecorderRules rules;
+    rules.rooms = 0;
+    Recorder recorder(rules);
+    const bool done = run(hg::kScalarKernels, recorder.stream());
+    const Sent sent = recorder.finish();
+    require(done || !sent.pairs.empty(), "stopped without cause");
+    require(sent.pairs.size() <= hg::kMaxPiece + hg::kPadding, "went on after being stopped");
+  }
+
  private:
   // The same from all sets: the pairs, their order and what is left undecided.
   template <class Run>

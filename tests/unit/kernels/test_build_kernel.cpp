@@ -6,6 +6,7 @@
 #include "tests/unit/checks.hpp"
 #include "tests/unit/exact_place.hpp"
 #include "tests/unit/kernels/any_space.hpp"
+#include "tests/unit/kernels/block_counts.hpp"
 #include "tests/unit/kernels/kernel_sets.hpp"
 #include "tests/unit/plain_cells.hpp"
 
@@ -55,13 +56,10 @@ class Scene {
     lay_levels(largest);
     cut();
     extent_ = extent_of(centers_, dimension());
-    input_ = {centers_.data(),
-              radii_.data(),
-              extent_.data(),
-              space_.map,
-              rng_.chance(0.5) ? 0 : largest * rng_.uniform(),
-              static_cast<int>(levels_.size()),
-              levels_.data()};
+    input_ = {
+        {centers_.data(), radii_.data(), extent_.data(), space_.map, rng_.chance(0.5) ? 0 : largest * rng_.uniform()},
+        static_cast<int>(levels_.size()),
+        levels_.data()};
   }
 
   void check() {
@@ -179,17 +177,6 @@ class Scene {
   hg::BuildInput input_{};
 };
 
-// All numbers of particles around one block, and more.
-void around_a_block(void **) {
-  assert_true(sweep(140, [](uint64_t seed) { Scene(seed, seed).check(); }));
-}
-void any_number(void **) {
-  assert_true(sweep(150, [](uint64_t seed) { Scene(seed, Rng(seed).below(1500)).check(); }));
-}
-
 }  // namespace
 
-int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(around_a_block), cmocka_unit_test(any_number)};
-  return cmocka_run_group_tests_name("build_kernel", tests, nullptr, nullptr);
-}
+int main() { return check_counts<Scene, 150>("build_kernel"); }

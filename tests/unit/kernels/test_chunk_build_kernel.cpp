@@ -4,6 +4,7 @@
 // numbers, and its point. Parts of the particles, full blocks or not.
 #include "tests/unit/checks.hpp"
 #include "tests/unit/kernels/any_space.hpp"
+#include "tests/unit/kernels/block_counts.hpp"
 #include "tests/unit/kernels/kernel_sets.hpp"
 
 #include <gmpxx.h>
@@ -58,11 +59,7 @@ class Scene {
     }
     lay_levels(largest);
     extent_ = extent_of(centers_, dimension());
-    input_ = {centers_.data(),
-              radii_.data(),
-              extent_.data(),
-              map_,
-              rng_.chance(0.5) ? 0 : largest * rng_.uniform(),
+    input_ = {{centers_.data(), radii_.data(), extent_.data(), map_, rng_.chance(0.5) ? 0 : largest * rng_.uniform()},
               static_cast<int>(keys_.size()),
               keys_.data(),
               29};
@@ -154,7 +151,7 @@ class Scene {
     }
     require(keys.back() == 7, "packed keys are written beyond their end");
     for (size_t i = 0; i < count_; i++) {
-      const hg::ChunkKey &key = built.keys[i], found = packed.unpack(keys[i]);
+      const hg::ChunkKey &key = built.keys[i], found = unpack(packed, keys[i]);
       if (key.cell > kCells || key.slot >> 13 != 0) continue;  // more bits than there are
       require(found.row == (key.row & kRows) && found.cell == key.cell && found.slot == key.slot, "packed key %zu", i);
     }
@@ -206,17 +203,6 @@ class Scene {
   hg::ChunkInput input_{};
 };
 
-// All numbers of particles around one block, and more.
-void around_a_block(void **) {
-  assert_true(sweep(140, [](uint64_t seed) { Scene(seed, seed).check(); }));
-}
-void any_number(void **) {
-  assert_true(sweep(150, [](uint64_t seed) { Scene(seed, Rng(seed).below(1500)).check(); }));
-}
-
 }  // namespace
 
-int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(around_a_block), cmocka_unit_test(any_number)};
-  return cmocka_run_group_tests_name("chunk_build_kernel", tests, nullptr, nullptr);
-}
+int main() { return check_counts<Scene, 150>("chunk_build_kernel"); }

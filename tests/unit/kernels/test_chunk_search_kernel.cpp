@@ -70,10 +70,7 @@ class Scene {
       return kernel(set).near_chunks(far.arrays(), group, table_, list, far_.arrays(), stream);
     };
     const Sent sent = check_.search(run);
-    for (size_t k = 0; k < sent.asked.size(); k++) {
-      const auto point = static_cast<size_t>(sent.asked[k].a) - kFirstPoint;
-      require(point < far.count && sent.images[k] == far.image[point], "another image is asked about");
-    }
+    SearchCheck::require_images(sent, far, kFirstPoint);
     for (size_t i = group.begin; i < group.end; i++) {
       for (size_t j = 0; j < near_.count; j++) check_.check_pair(near, i, near_, j);
     }
@@ -82,13 +79,9 @@ class Scene {
   }
 
   void check_stopping() {
-    RecorderRules rules;
-    rules.rooms = 0;
-    Recorder recorder(rules);
-    const bool done = kernel(hg::kScalarKernels).own_level(far_.arrays(), 0, far_.count, table_, recorder.stream());
-    const Sent sent = recorder.finish();
-    require(done || !sent.pairs.empty(), "stopped without cause");
-    require(sent.pairs.size() <= hg::kMaxPiece + hg::kPadding, "went on after being stopped");
+    SearchCheck::check_stopping([&](const KernelSet &set, hg::PairStream *stream) {
+      return kernel(set).own_level(far_.arrays(), 0, far_.count, table_, stream);
+    });
   }
 
  private:
@@ -133,7 +126,7 @@ class Scene {
   void put_near(size_t i, double *at) {
     double u[3] = {0, 0, 0}, norm = 0;
     const int only = rng_.chance(0.4) ? rng_.integer(0, particles_.dimension - 1) : -1;
-    for (int axis = 0; axis < particles_.dimension; axis++) {
+    for (int axis = 0; axis < std::min(particles_.dimension, 3); axis++) {
       u[axis] = only < 0 ? rng_.uniform(-1, 1) : (axis == only ? (rng_.chance(0.5) ? 1 : -1) : 0);
       norm += u[axis] * u[axis];
     }

@@ -3,6 +3,7 @@
 // The image kernels of every instruction set that this machine runs: all wanted images that come near the box, of all
 // points of a range, in order, and no others.
 #include "tests/unit/checks.hpp"
+#include "tests/unit/kernels/block_counts.hpp"
 #include "tests/unit/kernels/kernel_sets.hpp"
 
 #include <cmath>
@@ -87,17 +88,6 @@ class Scene {
   size_t begin_ = 0, end_ = 0;
 };
 
-// All numbers of points around one block, and more.
-void around_a_block(void **) {
-  assert_true(sweep(140, [](uint64_t seed) { Scene(seed, seed).check(); }));
-}
-void any_number(void **) {
-  assert_true(sweep(500, [](uint64_t seed) { Scene(seed, Rng(seed).below(1500)).check(); }));
-}
-
 }  // namespace
 
-int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(around_a_block), cmocka_unit_test(any_number)};
-  return cmocka_run_group_tests_name("images_kernel", tests, nullptr, nullptr);
-}
+int main() { return check_counts<Scene, 500>("images_kernel"); }

@@ -52,10 +52,7 @@ class Scene {
       return kernel(set).cross_level(points.arrays(), 0, points.count, table_, particles_.arrays(), stream);
     };
     const Sent sent = check_.search(run);
-    for (size_t k = 0; k < sent.asked.size(); k++) {
-      const auto point = static_cast<size_t>(sent.asked[k].a) - kFirstPoint;
-      require(point < points.count && sent.images[k] == points.image[point], "another image is asked about");
-    }
+    SearchCheck::require_images(sent, points, kFirstPoint);
     for (size_t i = 0; i < points.count; i++) {
       for (size_t j = 0; j < particles_.count; j++) check_.check_pair(points, i, particles_, j);
     }
@@ -64,14 +61,9 @@ class Scene {
   }
 
   void check_stopping() {
-    RecorderRules rules;
-    rules.rooms = 0;
-    Recorder recorder(rules);
-    const bool done =
-        kernel(hg::kScalarKernels).own_level(particles_.arrays(), 0, particles_.count, table_, recorder.stream());
-    const Sent sent = recorder.finish();
-    require(done || !sent.pairs.empty(), "stopped without cause");
-    require(sent.pairs.size() <= hg::kMaxPiece + kPadding, "went on after being stopped");
+    SearchCheck::check_stopping([&](const KernelSet &set, hg::PairStream *stream) {
+      return kernel(set).own_level(particles_.arrays(), 0, particles_.count, table_, stream);
+    });
   }
 
  private:

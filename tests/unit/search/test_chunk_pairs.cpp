@@ -30,18 +30,9 @@ void check_cloud(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   hg::Domain domain = any_box(rng);
-  Particles particles;
-  particles.dimension = domain.dimension;
-  const double ball[3] = {50, 50, 50};
-  particles.add(ball, 20);
-  for (int i = 0; i < 3000; i++) {
-    const double spread = i % 4 == 0 ? 0.1 : 24;
-    double center[3];
-    for (double &x : center) x = 50 + spread * rng.uniform(-1, 1);
-    particles.add(center, 0.02);
-  }
+  const Particles particles = ball_in_dust(rng, domain.dimension, 3000, 24, 0.1, 0.02);
   const Crowd crowd(memory, domain, {}, 0, particles, 9.9);
-  require(crowd.index.chunked && crowd.index.chunks.chunks() > 4 * hg::NearChunks::kMost, "%zu chunks",
+  require(crowd.index.chunked && crowd.index.chunks.chunks() > size_t{4} * hg::NearChunks::kMost, "%zu chunks",
           crowd.index.chunks.chunks());
   check_tasks(crowd, rng.below(4));
 }

@@ -32,16 +32,7 @@ void check_many(uint64_t seed) {
   Rng rng(seed);
   hg::Memory memory(hg::system_allocator());
   const hg::Domain domain = any_box(rng);
-  Particles particles;
-  particles.dimension = domain.dimension;
-  const double middle[3] = {50, 50, 50};
-  particles.add(middle, 20);
-  for (int i = 0; i < 4000; i++) {
-    const double spread = i % 4 == 0 ? 0.01 : 12;
-    double center[3];
-    for (double &x : center) x = 50 + spread * rng.uniform(-1, 1);
-    particles.add(center, 1e-6);
-  }
+  const Particles particles = ball_in_dust(rng, domain.dimension, 4000, 12, 0.01, 1e-6);
   const Crowd crowd(memory, domain, {}, 0, particles, 1e6);
   require(crowd.index.chunked && crowd.index.chunks.has_giants(), "no giants");
   check_tasks(crowd, seed % 5);

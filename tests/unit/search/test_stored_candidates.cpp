@@ -306,7 +306,8 @@ void leaving_the_box(void **) { assert_true(sweep(100, check_leaving)); }
 // In heaps of coincident particles all are candidates of each other.
 void make_heaps(Crowd &crowd, size_t heap, int threads) {
   for (size_t i = 0; i < crowd.particles.count(); i++) {
-    const double place = 1 + 2 * static_cast<double>(i / heap);
+    const size_t heap_number = i / heap;
+    const double place = 1 + 2 * static_cast<double>(heap_number);
     for (size_t axis = 0; axis < 3; axis++) {
       crowd.particles.centers[3 * i + axis] = axis == 0 ? place : 50;
     }

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/index/build_chunks.hpp"
+
+#include "src/base/parallel.hpp"
+#include "src/index/particle_input.hpp"
+#include "src/kernels/kernel_set.hpp"
+#include "src/particles/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hg {
+namespace {
+
+// What the scale must leave of the finest level, in quanta. Levels that are too large for it then become giants.
+constexpr double kFineDiameter = 0x1p12;
+// What extents must leave of the largest diameter, in quanta; else axes are squeezed, to gaps of so many diameters.
+constexpr double kWorthSqueezing = 0x1p20;
+constexpr double kGap = 4;
+
+ChunkRows::Sizes sizes_of(const Index &index) {
+  ChunkRows::Sizes sizes;
+  sizes.level_count = index.level_count;
+  for (int h = 0; h < index.level_count; h++) {
+    const IndexLevel &level = index.levels[h];
+    sizes.diameter[h] = level.is_empty() ? index.largest_reach() : index.interaction.diameter(level.largest_radius);
+    sizes.radius_limit[h] = level.plan.radius_limit;
+  }
+  return sizes;
+}
+
+// The largest diameter that is no giant.
+double largest_on_scale(const Index &index, const ChunkRows::Sizes &sizes) {
+  for (int h = 0; h < index.level_count; h++) {
+    if (index.levels[h].is_empty() || !(sizes.diameter[h] > 0)) continue;
+    return std::min(index.largest_reach(), sizes.diameter[h] * (ChunkRows::kGiantDiameter / kFineDiameter));
+  }
+  return index.largest_reach();
+}
+
+// How many boxes the centres lie outside the periodic box at most.
+double most_wraps(const ParticleStore &store, const Domain &domain) {
+  double most = 0;
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    const Interval &x = store.summary().center[axis];
+    most = std::max({most, std::fabs(domain.wraps(axis, x.least)), std::fabs(domain.wraps(axis, x.greatest))});
+  }
+  return most;
+}
+
+bool all_periodic(const Domain &domain) {
+  return std::all_of(domain.periodic, domain.periodic + domain.dimension, [](bool periodic) { return periodic; });
+}
+
+// Sets the map of places that wrap, and squeezes axes where extents are too wide for it.
+void set_map(Index &index, const ChunkRows::Sizes &sizes, const ParticleStore &store) {
+  const Domain &domain = index.domain;
+  const double largest = largest_on_scale(index, sizes), gap = kGap * index.largest_reach();
+  const double wraps = most_wraps(store, domain);
+  index.map = FixedPoint::wrapping(spread_of(store, domain), domain, largest, wraps);
+  const bool fine = largest * index.map.scale >= kWorthSqueezing;
+  if (fine || all_periodic(domain) || gap > SqueezedAxes::kLongestGap) return;
+  index.map = FixedPoint::wrapping(index.squeezed.squeeze(store, domain, gap), domain, largest, wraps);
+}
+
+}  // namespace
+
+void build_chunks(Index &index, ChunkScratch &scratch, const ParticleStore &store, int threads) {
+  const size_t count = store.slots();
+  const int dimension = index.domain.dimension;
+  const ChunkRows::Sizes sizes = sizes_of(index);
+  index.chunked = true;
+  set_map(index, sizes, store);
+  for (int h = 0; h < index.level_count; h++) {
+    const double folded = index.interaction.folded_radius(index.levels[h].largest_radius) * index.map.scale;
+    index.levels[h].cells.largest_radius = static_cast<float>(std::min(folded, kBeyondAnyExtent));
+  }
+
+  ChunkInput input{particle_input(store, index), 0, nullptr, 0};
+  if (index.squeezed.in_use()) input.centers = index.squeezed.centers();
+  PointStore &points = index.particles;
+  index.chunks.build(input, sizes, dimension, count, points.slot.data(), scratch);
+  const ChunkScatter output{points.x.data(), points.y.data(), points.z.data(), points.radius.data()};
+  const ChunkBuildKernel &kernel = active_kernels().chunk_build[dimension - 2];
+  const size_t parts = parts_of(count);
+  parallel_for(threads, parts, [&](size_t part, int) {
+    kernel.put(input, points.slot.data(), count * part / parts, count * (part + 1) / parts, output);
+  });
+
+  auto giants = static_cast<uint32_t>(count);
+  for (int h = index.level_count - 1; h >= 0 && index.chunks.level(h).giants; h--) giants = index.levels[h].begin;
+  index.chunks.place_giants(input, points.slot.data(), giants, count, dimension);
+  index.row_count = static_cast<int64_t>(index.chunks.rows());
+  index.cell_count = static_cast<int64_t>(index.chunks.cells());
+}
+
+}  // namespace hg
