@@ -6,7 +6,7 @@
  * Ownership: the library copies what it is given and keeps no pointer of the caller. What queries return belongs to the
  * grid and is borrowed: valid until the next call on that grid that changes it or asks for the same kind of result.
  * Threads: different grids are independent. On one grid, queries from several threads are safe once hg_build has
- * returned; hg_insert, hg_move, hg_remove, hg_clear, hg_build and hg_destroy need the grid for themselves.
+ * returned; hg_insert, hg_move, hg_remove, hg_clear, hg_set_box, hg_build and hg_destroy need the grid for themselves.
  * Errors: a call that fails has changed nothing. Any call on a NULL grid gives HG_ERR_NULL; any call on a grid from
  * inside one of its own visitors gives HG_ERR_STATE; any call that needs memory may give HG_ERR_MEMORY.
  * N is the number of particles, P that of pairs. Lengths are in the caller's unit. */
@@ -33,9 +33,11 @@ HG_API void hg_destroy(hg_grid *grid);
 
 /* Adds `count` particles. The first ever gets the id index_base, each next one the following number.
  * centers: [count][dimension]; radii: [count], >= 0. Both may be NULL if count is 0.
- * Errors: HG_ERR_NULL; HG_ERR_ARGUMENT: NaN, infinity or a negative radius; a periodic axis shorter than twice the
- * largest reach; a diameter beyond the last cell of HG_LEVELS_USER; HG_ERR_LIMIT: ids would pass 2^31 - 1, or a
- * particle lies more than 2^20 box lengths outside a periodic axis; HG_ERR_MEMORY. All or nothing.
+ * Errors: HG_ERR_NULL; HG_ERR_ARGUMENT: NaN, infinity or a negative radius; with HG_NEAREST_IMAGE a periodic cell so
+ * short that two particles could meet twice: its shortest lattice vector is shorter than 2 (r1 + r2 + margin), r1 and
+ * r2 the two largest radii in the grid (HG_MAX_RANGE: 2 (r1 + margin)); a diameter beyond the last cell of
+ * HG_LEVELS_USER; HG_ERR_LIMIT: ids would pass 2^31 - 1, a particle lies more than 2^20 cells outside the periodic one,
+ * or HG_ALL_IMAGES with a reach of too many cells; HG_ERR_MEMORY. All or nothing.
  * Complexity: O(count) amortised. */
 HG_API hg_status hg_insert(hg_grid *grid, size_t count, const double *centers, const double *radii);
 
@@ -52,11 +54,20 @@ HG_API hg_status hg_remove(hg_grid *grid, size_t count, const int32_t *ids);
 /* Removes all particles; ids start anew at index_base. Memory is kept for what comes next. */
 HG_API hg_status hg_clear(hg_grid *grid);
 
+/* Gives a periodic grid a new box (barostats, shear, deformation); particles stay where they are. Of open axes nothing
+ * is read. box_min, box_max: [3], also in 2D; tilt: [3] as in hg_grid_def, NULL: 0, 0, 0. With a skin, stored
+ * candidates stay in use while the deformation leaves them valid. Sheared walls that slide (Lees-Edwards) are a tilt
+ * that changes. Errors: as hg_create of the box and hg_insert of the particles. All or nothing. Complexity: O(1) and
+ * what the next build takes, O(N) if the box is short. */
+HG_API hg_status hg_set_box(hg_grid *grid, const double *box_min, const double *box_max, const double *tilt);
+
 /* Makes the grid ready for queries: chooses the levels and sorts the particles into cells. Searches nothing.
  * Queries call it when they must. Complexity: O(N). */
 HG_API hg_status hg_build(hg_grid *grid);
 
-/* All pairs, each once, a < b, in the order of def.pair_order. *pairs is NULL only if *count is 0.
+/* All pairs, each once, a < b, in the order of def.pair_order. *pairs is NULL only if *count is 0. With HG_ALL_IMAGES
+ * equal (a, b) stand side by side, in ascending order of their shifts (x, then y, then z) where HG_ORDER_ID asks for an
+ * order; of a particle with itself, a == b, the shift counts whose last component that is not 0 is positive.
  * A second call without a change in between returns the same list.
  * With def.skin, stored candidates are filtered while they hold; the pairs are the same.
  * Complexity: O(N + P) for any sizes when the levels suit them. */
@@ -70,11 +81,13 @@ HG_API hg_status hg_visit_pairs(hg_grid *grid, hg_pair_visitor *visit, void *con
 
 /* Neighbour lists in compressed rows: the neighbours of the k-th live particle in ascending id are
  * neighbors[offsets[k]] .. neighbors[offsets[k + 1] - 1], ascending ids. offsets has N + 1 entries and starts at 0.
- * list: HG_HALF or HG_FULL. Errors: HG_ERR_NULL, HG_ERR_ARGUMENT (list). Complexity: as hg_query_pairs. */
+ * With HG_ALL_IMAGES an id stands in a row as often as its pair is found; a pair of a particle with itself once in
+ * its row of HG_HALF and twice in that of HG_FULL. list: HG_HALF or HG_FULL. Errors: HG_ERR_NULL, HG_ERR_ARGUMENT
+ * (list). Complexity: as hg_query_pairs. */
 HG_API hg_status hg_query_neighbors(hg_grid *grid, int32_t list, const int64_t **offsets, const int32_t **neighbors);
 
 /* The particles that a sphere interacts with, by the grid's own rule (interaction, margin, accuracy, periodic axes);
- * ids ascending. center: [dimension]; radius >= 0, finite. On periodic axes the nearest image counts. The result is
+ * ids ascending, each once. center: [dimension]; radius >= 0, finite. Any periodic image counts. The result is
  * borrowed until this thread's next hg_query_sphere on any grid.
  * Errors: HG_ERR_NULL, HG_ERR_ARGUMENT. Complexity: O(cells met + particles met + hits log hits). */
 HG_API hg_status hg_query_sphere(hg_grid *grid, const double *center, double radius, const int32_t **ids,

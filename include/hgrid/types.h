@@ -12,7 +12,8 @@
 extern "C" {
 #endif
 
-/* hg_grid_def.interaction: when two particles interact. The comparison is strict: touching is not overlapping. */
+/* hg_grid_def.interaction: when two particles interact. The comparison is strict, touching is not overlapping, unless
+ * hg_grid_def.touching says otherwise. */
 enum {
   HG_CONTACT = 0,  /* |xi - xj| < ri + rj + margin: contacts of spheres (DEM) */
   HG_MAX_RANGE = 1 /* |xi - xj| < max(ri, rj) + margin: radii are ranges, either particle may see the other (SPH) */
@@ -38,6 +39,12 @@ enum {
   HG_LEVELS_USER = 2   /* cell_sizes */
 };
 
+/* hg_grid_def.images: which periodic images of two particles are pairs. */
+enum {
+  HG_NEAREST_IMAGE = 0, /* the nearest: two particles are a pair once at most; boxes that are too short are refused */
+  HG_ALL_IMAGES = 1     /* each in reach, by its shift; also those of a particle with itself; boxes of any length */
+};
+
 /* The list asked of hg_query_neighbors. */
 enum {
   HG_HALF = 0, /* row a holds the b > a: every pair once */
@@ -46,7 +53,7 @@ enum {
 
 enum { HG_MAX_LEVELS = 64 }; /* the most levels a grid can have */
 
-/* Two particles that interact, by their ids; a < b. */
+/* Two particles that interact, by their ids; a < b. With HG_ALL_IMAGES a == b is a particle and an image of itself. */
 typedef struct hg_pair {
   int32_t a, b;
 } hg_pair;
@@ -81,6 +88,12 @@ typedef struct hg_grid_def {
      `hgrid calibrate` measures them. They change the levels and with them the time, never the pairs. */
   double level_price; /* one more level, per particle (-1) */
   double row_price;   /* looking at a row of a finer level (-1) */
+  /* Periodic cells need not be right-angled: their edges are a = (lx, 0, 0), b = (xy, ly, 0) and c = (xz, yz, lz) with
+     l = box_max - box_min (LAMMPS's convention). */
+  double tilt[3];   /* xy, xz, yz; only xy in 2D. One that is not 0 needs both of its axes periodic, and is at most 2^20
+                       lengths of the first (0, 0, 0) */
+  int32_t touching; /* 1: particles that touch exactly are a pair, too: <= in place of < (0) */
+  int32_t images;   /* HG_NEAREST_IMAGE or HG_ALL_IMAGES (HG_NEAREST_IMAGE) */
 } hg_grid_def;
 
 /* One level of the hierarchical grid as it stands, finest first. */
