@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 
 namespace hg {
 namespace {
@@ -39,28 +40,68 @@ void check_length(const char *name, double value) {
     fail(HG_ERR_ARGUMENT, "def.%s = %g is not finite and >= 0", name, value);
 }
 
+// `where`: "def." or nothing, for messages.
+void check_box(Domain &domain, int axis, double low, double high, const char *where) {
+  if (!std::isfinite(low) || !std::isfinite(high)) {
+    fail(HG_ERR_ARGUMENT, "%sbox_min[%d], %sbox_max[%d] = %g, %g are not finite", where, axis, where, axis, low, high);
+  }
+  if (high < low || (domain.periodic[axis] && high == low)) {
+    fail(HG_ERR_ARGUMENT, "%sbox_max[%d] = %g is not above %sbox_min[%d] = %g", where, axis, high, where, axis, low);
+  }
+  domain.box_min[axis] = low;
+  domain.box_max[axis] = high;
+  domain.length[axis] = high - low;
+  if (!std::isfinite(domain.length[axis])) {
+    fail(HG_ERR_ARGUMENT, "%sbox_max[%d] - %sbox_min[%d] overflows", where, axis, where, axis);
+  }
+}
+
+// Of the higher axis to the lower one.
+void check_tilt(Domain &domain, int higher, int lower, double tilt, const char *where) {
+  const int k = kTiltOf[higher][lower];
+  if (!std::isfinite(tilt)) fail(HG_ERR_ARGUMENT, "%stilt[%d] = %g is not finite", where, k, tilt);
+  if (tilt == 0) return;
+  if (higher >= domain.dimension || !domain.periodic[higher] || !domain.periodic[lower]) {
+    fail(HG_ERR_ARGUMENT, "%stilt[%d] = %g needs periodic %c and %c", where, k, tilt, "xyz"[lower], "xyz"[higher]);
+  }
+  if (!(std::fabs(tilt) <= kMaxTiltedWraps * domain.length[lower])) {
+    fail(HG_ERR_LIMIT, "%stilt[%d] = %g is more than 2^19 lengths %g of the box in %c", where, k, tilt,
+         domain.length[lower], "xyz"[lower]);
+  }
+  domain.tilt[k] = tilt;
+}
+
+void check_tilts(Domain &domain, const double *tilt, const char *where) {
+  for (int higher = 1; higher < 3; higher++) {
+    for (int lower = 0; lower < higher; lower++) {
+      check_tilt(domain, higher, lower, tilt[kTiltOf[higher][lower]], where);
+    }
+  }
+  if (!domain.is_tilted()) return;
+  double longest = 0, shortest = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    if (!domain.periodic[axis]) continue;
+    longest = std::max(longest, domain.length[axis]);
+    shortest = std::min(shortest, domain.length[axis]);
+  }
+  if (shortest < longest / kMostStretched) {
+    fail(HG_ERR_LIMIT, "%stilt: a cell with edges of %g and %g is too thin to be tilted", where, longest, shortest);
+  }
+}
+
 Domain check_domain(const hg_grid_def &def) {
   Domain domain;
   domain.dimension = def.dimension;
+  domain.all_images = def.images == HG_ALL_IMAGES;
   for (int axis = 0; axis < def.dimension; axis++) {
     if (def.periodic[axis] != 0 && def.periodic[axis] != 1) {
       fail(HG_ERR_ARGUMENT, "def.periodic[%d] = %d is not 0 or 1", axis, static_cast<int>(def.periodic[axis]));
     }
-    const double low = def.box_min[axis], high = def.box_max[axis];
-    if (!std::isfinite(low) || !std::isfinite(high)) {
-      fail(HG_ERR_ARGUMENT, "def.box_min[%d], def.box_max[%d] = %g, %g are not finite", axis, axis, low, high);
-    }
     domain.periodic[axis] = def.periodic[axis] == 1;
     domain.any_periodic = domain.any_periodic || domain.periodic[axis];
-    if (high < low || (domain.periodic[axis] && high == low)) {
-      fail(HG_ERR_ARGUMENT, "def.box_max[%d] = %g is not above def.box_min[%d] = %g", axis, high, axis, low);
-    }
-    domain.box_min[axis] = low;
-    domain.box_max[axis] = high;
-    domain.length[axis] = high - low;
-    if (!std::isfinite(domain.length[axis]))
-      fail(HG_ERR_ARGUMENT, "def.box_max[%d] - def.box_min[%d] overflows", axis, axis);
+    check_box(domain, axis, def.box_min[axis], def.box_max[axis], "def.");
   }
+  check_tilts(domain, def.tilt, "def.");
   return domain;
 }
 
@@ -130,6 +171,8 @@ Definition check_definition(const hg_grid_def &given) {
   check_choice("pair_order", def.pair_order, HG_ORDER_GRID, HG_ORDER_ID);
   check_choice("reserved0", def.reserved0, 0, 0);
   check_choice("reserved1", def.reserved1, 0, 0);
+  check_choice("touching", def.touching, 0, 1);
+  check_choice("images", def.images, HG_NEAREST_IMAGE, HG_ALL_IMAGES);
   check_length("margin", def.margin);
   check_length("skin", def.skin);
 
@@ -139,11 +182,22 @@ Definition check_definition(const hg_grid_def &given) {
   checked.index_base = def.index_base;
   checked.accuracy = def.accuracy;
   checked.pair_order = def.pair_order;
-  checked.interaction = {def.interaction, def.margin};
+  checked.interaction = {def.interaction, def.margin, def.touching == 1};
   checked.skin = def.skin;
   checked.domain = check_domain(def);
   checked.levels = check_levels(def);
   return checked;
+}
+
+Domain change_box(const Domain &domain, const double *box_min, const double *box_max, const double *tilt) {
+  Domain changed = domain;
+  if (!domain.any_periodic) fail(HG_ERR_STATE, "hg_set_box: no axis of the grid is periodic");
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    if (domain.periodic[axis]) check_box(changed, axis, box_min[axis], box_max[axis], "");
+  }
+  std::fill(changed.tilt, changed.tilt + 3, 0.0);
+  if (tilt != nullptr) check_tilts(changed, tilt, "");
+  return changed;
 }
 
 }  // namespace hg

@@ -28,4 +28,7 @@ void fill_defaults(hg_grid_def *def, size_t struct_size);
 // Throws an Error that names the member and its value.
 Definition check_definition(const hg_grid_def &given);
 
+// The domain with another box on its periodic axes, checked in the same way; three values each, tilt may be NULL.
+Domain change_box(const Domain &domain, const double *box_min, const double *box_max, const double *tilt);
+
 }  // namespace hg

@@ -37,7 +37,7 @@ Grid::Grid(const Definition &definition, const hg_allocator &allocator)
       memory_(allocator),
       store_(memory_,
              InputCheck(definition.domain, definition.interaction, definition.levels.largest_diameter(), threads_),
-             definition.domain.dimension, definition.index_base),
+             ShortCell(definition.domain, definition.interaction), definition.domain.dimension, definition.index_base),
       overlap_(definition.interaction, definition.accuracy, definition.domain),
       level_choice_(memory_, definition.levels, definition.interaction),
       index_(memory_, definition.domain, definition.interaction),
@@ -86,6 +86,19 @@ void Grid::clear() {
   skin_pays_ = true;
 }
 
+void Grid::set_box(const double *box_min, const double *box_max, const double *tilt) {
+  const Domain domain = change_box(definition_.domain, box_min, box_max, tilt);
+  store_.set_cell(domain, ShortCell(domain, definition_.interaction));
+  definition_.domain = domain;
+  overlap_.set_domain(domain);
+  if (candidates_.keep_in(domain)) {
+    index_.set_cell(domain);
+  } else {
+    candidates_.drop();
+  }
+  changed(false);
+}
+
 void Grid::changed(bool radii) {
   built_ = false;
   if (radii) level_choice_.radii_changed();
@@ -118,10 +131,13 @@ void Grid::build_locked() {
   const double skin = skin_pays_ ? usable_skin(definition_.skin, definition_.interaction, domain, bounds,
                                                definition_.accuracy, store_.slots())
                                  : 0;
+  index_.domain = domain;
   index_.interaction = definition_.interaction.widened(skin);
-  // Without particles a box has no resolution that its period could be counted in.
+  // Without particles a box has no resolution that its period could be counted in. Images may lie as far outside of it
+  // as particles reach.
   if (store_.slots() > 0) {
-    index_.map = FixedPoint::over(bounds, domain, index_.interaction.diameter(bounds.max_radius));
+    const double images = domain.any_periodic ? 2 : 1;
+    index_.map = FixedPoint::over(bounds, domain, images * index_.interaction.diameter(bounds.max_radius));
   }
   plan_ = level_choice_.choose(store_, index_.map, volume, index_.interaction);
   build_index(index_, scratch_, store_, plan_, threads_);

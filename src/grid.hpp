@@ -30,6 +30,7 @@ class Grid {
   void move(size_t count, const double *centers, const double *radii);
   void remove(size_t count, const int32_t *ids);
   void clear();
+  void set_box(const double *box_min, const double *box_max, const double *tilt);
 
   // The calls below build the index if it is out of date. They may run in parallel with each other.
   void build();

@@ -82,6 +82,13 @@ hg_status hg_clear(hg_grid *grid) {
   return on_grid(grid, {}, [](Grid &g) { g.clear(); });
 }
 
+hg_status hg_set_box(hg_grid *grid, const double *box_min, const double *box_max, const double *tilt) {
+  return on_grid(grid, {{box_min, "box_min"}, {box_max, "box_max"}}, [&](Grid &g) {
+    const Aligned<double> low(g, "box_min", box_min, 3), high(g, "box_max", box_max, 3);
+    g.set_box(low.get(), high.get(), Aligned<double>(g, "tilt", tilt, tilt != nullptr ? 3 : 0).get());
+  });
+}
+
 hg_status hg_build(hg_grid *grid) {
   return on_grid(grid, {}, [](Grid &g) { g.build(); });
 }

@@ -11,7 +11,7 @@ namespace hg {
 namespace {
 
 // A double is m * 2^e with an odd integer m of at most 53 bits and e in [-1074, 1023]. With all exponents taken
-// relative to the least one present, sums become integers of at most 2097 + 53 + 33 (factor) + 3 (terms, sign) bits.
+// relative to the least one present, sums become integers of at most 2097 + 53 + 33 (factor) + 4 (terms, sign) bits.
 constexpr int kMaxLimbs = 35;
 using Limb = uint64_t;
 __extension__ using Wide = __int128;
@@ -140,7 +140,7 @@ bool fits_word(const ExactSum &sum, int least_exponent, Limb &size) {
 
 // Decides with squares of single words where it can.
 bool decide_in_words(const ExactSum *difference, int dimension, const ExactSum &reach, const ExponentRange &range,
-                     bool &less) {
+                     int &order) {
   if (range.greatest - range.least > kWordShift) return false;
   Limb size = 0;
   if (!fits_word(reach, range.least, size)) return false;
@@ -150,20 +150,20 @@ bool decide_in_words(const ExactSum *difference, int dimension, const ExactSum &
     if (!fits_word(difference[axis], range.least, size)) return false;
     distance2 += static_cast<WideLimb>(size) * size;
   }
-  less = distance2 < reach2;
+  order = distance2 < reach2 ? -1 : (distance2 > reach2 ? 1 : 0);
   return true;
 }
 
 }  // namespace
 
-bool exact_less(const ExactSum *difference, int dimension, const ExactSum &reach) {
+int exact_order(const ExactSum *difference, int dimension, const ExactSum &reach) {
   ExponentRange range;
   range.include(reach);
   for (int axis = 0; axis < dimension; axis++) range.include(difference[axis]);
-  if (range.greatest < range.least) return false;  // every term is zero
-  bool less = false;
-  if (decide_in_words(difference, dimension, reach, range, less)) return less;
-  const int limbs = (range.greatest - range.least + 53 + 33 + 3) / 64 + 1;
+  if (range.greatest < range.least) return 0;  // every term is zero
+  int order = 0;
+  if (decide_in_words(difference, dimension, reach, range, order)) return order;
+  const int limbs = (range.greatest - range.least + 53 + 33 + 4) / 64 + 1;
 
   Limb left[2 * kMaxLimbs + 1], right[2 * kMaxLimbs + 1];
   const size_t size = sizeof(Limb) * static_cast<size_t>(2 * limbs + 1);
@@ -173,9 +173,9 @@ bool exact_less(const ExactSum *difference, int dimension, const ExactSum &reach
     add_square(left, to_integer(difference[axis], range.least, limbs), limbs);
   add_square(right, to_integer(reach, range.least, limbs), limbs);
   for (int k = 2 * limbs; k >= 0; k--) {
-    if (left[k] != right[k]) return left[k] < right[k];
+    if (left[k] != right[k]) return left[k] < right[k] ? -1 : 1;
   }
-  return false;
+  return 0;
 }
 
 }  // namespace hg

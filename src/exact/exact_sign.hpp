@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Decides sum of squares < square in real arithmetic on doubles. Integers only: no rounding, no overflow, no underflow,
+// Compares a sum of squares with a square in real arithmetic on doubles. Integers only: no rounding, no overflow, no underflow,
 // whatever the compiler, the rounding mode or the host's flush-to-zero setting.
 #pragma once
 
@@ -14,7 +14,7 @@ struct ExactTerm {
   int64_t factor;
 };
 
-inline constexpr int kMaxExactTerms = 4;
+inline constexpr int kMaxExactTerms = 6;
 
 struct ExactSum {
   ExactTerm terms[kMaxExactTerms];
@@ -22,7 +22,7 @@ struct ExactSum {
   void add(double value, int64_t factor) { terms[count++] = {value, factor}; }
 };
 
-// True if the sum over axes of difference[axis]^2 is less than reach^2.
-bool exact_less(const ExactSum *difference, int dimension, const ExactSum &reach);
+// The sign of the sum over axes of difference[axis]^2, less reach^2: -1, 0 or 1.
+int exact_order(const ExactSum *difference, int dimension, const ExactSum &reach);
 
 }  // namespace hg

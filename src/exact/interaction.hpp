@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// When two particles interact: |xi - xj| < base(ri, rj) + margin. A rule is one type that says what `base` is, to the
+// When two particles interact: |xi - xj| < base(ri, rj) + margin, or <= if touching counts. A rule is one type that says what `base` is, to the
 // kernels, to the predicate in double and in exact arithmetic, and to the choice of levels. A new rule is a type here
 // and its place in InteractionRules.
 #pragma once
@@ -69,6 +69,7 @@ auto with_rule(int32_t kind, Body &&body, RuleList<First, Rest...>) {
 struct Interaction {
   int32_t kind = HG_CONTACT;
   double margin = 0;
+  bool touching = false;  // <= in place of <
 
   template <class Body>
   auto with_rule(Body &&body) const {
@@ -89,7 +90,7 @@ struct Interaction {
   double diameter(double r) const { return reach(r, r); }
 
   // For candidates that may come to interact: every reach longer by the skin.
-  Interaction widened(double skin) const { return {kind, margin + skin}; }
+  Interaction widened(double skin) const { return {kind, margin + skin, touching}; }
 
   // A radius with its share of the margin, so that the kernels know no margin: reach = base(folded ri, folded rj).
   double folded_radius(double r) const {

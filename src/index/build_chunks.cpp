@@ -39,9 +39,14 @@ double largest_on_scale(const Index &index, const ChunkRows::Sizes &sizes) {
   return index.largest_reach();
 }
 
-// How many boxes the centres lie outside the periodic box at most.
+// How many boxes the centres lie outside the periodic box at most. In a tilted cell more is rounded, nearly twice as
+// much.
 double most_wraps(const ParticleStore &store, const Domain &domain) {
   double most = 0;
+  for (size_t slot = 0; domain.is_tilted() && slot < store.slots(); slot++) {
+    most = std::max(most, 2 * domain.outside(store.center(slot)).boxes);
+  }
+  if (domain.is_tilted()) return most;
   for (int axis = 0; axis < domain.dimension; axis++) {
     const Interval &x = store.summary().center[axis];
     most = std::max({most, std::fabs(domain.wraps(axis, x.least)), std::fabs(domain.wraps(axis, x.greatest))});

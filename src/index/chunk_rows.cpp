@@ -72,11 +72,11 @@ void ChunkRows::find_spaces(const ChunkInput &input, const Sizes &sizes, int dim
     const double *limit = sizes.radius_limit;
     const auto h = static_cast<size_t>(std::lower_bound(limit, limit + level_count_ - 1, input.radii[slot]) - limit);
     PlaceBox &space = levels_[h].space;
+    double place[3];
+    input.map.find_place(input.centers + slot * static_cast<size_t>(dimension), dimension, place);
     for (int axis = 0; axis < dimension; axis++) {
-      const size_t at = slot * static_cast<size_t>(dimension) + static_cast<size_t>(axis);
-      const double place = input.map.place(axis, input.centers[at]);
-      space.low[axis] = any[h] ? std::min(space.low[axis], place) : place;
-      space.high[axis] = any[h] ? std::max(space.high[axis], place) : place;
+      space.low[axis] = any[h] ? std::min(space.low[axis], place[axis]) : place[axis];
+      space.high[axis] = any[h] ? std::max(space.high[axis], place[axis]) : place[axis];
     }
     any[h] = true;
   }
@@ -320,12 +320,11 @@ void ChunkRows::place_giants(const ChunkInput &input, const uint32_t *slot, uint
                              int dimension) {
   giant_begin_ = begin;
   giant_end_ = static_cast<uint32_t>(count);
-  for (int axis = 0; axis < dimension; axis++) {
-    giant_place_[axis].require_room(count - begin);
-    for (size_t i = begin; i < count; i++) {
-      const double center = input.centers[slot[i] * static_cast<size_t>(dimension) + static_cast<size_t>(axis)];
-      giant_place_[axis][i - begin] = input.map.place(axis, center);
-    }
+  for (int axis = 0; axis < dimension; axis++) giant_place_[axis].require_room(count - begin);
+  for (size_t i = begin; i < count; i++) {
+    double place[3];
+    input.map.find_place(input.centers + slot[i] * static_cast<size_t>(dimension), dimension, place);
+    for (int axis = 0; axis < dimension; axis++) giant_place_[axis][i - begin] = place[axis];
   }
 }
 

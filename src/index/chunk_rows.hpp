@@ -11,16 +11,12 @@
 #include "src/particles/particle_store.hpp"
 #include "src/space/chunk_table.hpp"
 #include "src/space/fixed_point.hpp"
+#include "src/space/shifts.hpp"
 
 #include <cstddef>
 #include <cstdint>
 
 namespace hg {
-
-// A box of places, as FixedPoint::quanta counts them.
-struct PlaceBox {
-  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
-};
 
 // One level: its cells, and which of the layers are its own. Lengths are whole quanta that float holds exactly.
 struct ChunkLevel {

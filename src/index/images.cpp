@@ -5,44 +5,56 @@
 #include "src/kernels/kernel_set.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace hg {
 namespace {
 
 constexpr uint32_t kTogether = 256;  // particles whose images are made together
-constexpr size_t kMostImages = 13;   // of a particle, in one direction
+constexpr size_t kMostFound = kTogether * (kImages / 2);  // by steps of -1, 0 or 1, in one direction
+
+// Numbers of shifts.
+struct ImageRange {
+  Image begin, end;
+};
 
 class ImageBuilder {
  public:
   explicit ImageBuilder(Index &index)
-      : index_(index), dimension_(index.domain.dimension), find_images_(active_kernels().find_images[dimension_ - 2]) {
-    for (int axis = 0; axis < dimension_; axis++) period_place_[axis] = index.map.period_place(axis);
-    for (Image image = 0; image < kImages; image++) {
-      for (int axis = 0; axis < 3; axis++) {
-        shift_[axis][image] = moved_by(0, image_step(image, axis), index.map.period[axis]);
-      }
+      : index_(index),
+        shifts_(index.shifts),
+        dimension_(index.domain.dimension),
+        find_images_(active_kernels().find_images[dimension_ - 2]) {
+    for (int axis = 0; axis < dimension_; axis++) {
+      period_[axis] = index.chunked ? index.map.period_place(axis) : index.map.period[axis];
     }
   }
 
   uint32_t count() const { return count_; }
 
-  void add(int h, ImageSet wanted) {
+  void add_forward(int h) { add(h, {shifts_.middle() + 1, shifts_.count()}); }
+  void add_backward(int h) { add(h, {0, shifts_.middle()}); }
+
+ private:
+  void add(int h, const ImageRange &wanted) {
     if (index_.chunked) {
       add_by_chunks(h, wanted);
+    } else if (shifts_.steps_by_one()) {
+      add_by_steps(index_.levels[h], wanted.begin == 0 ? kBackwardImages : kForwardImages);
     } else {
       add_by_points(index_.levels[h], wanted);
     }
   }
 
- private:
+  // The largest reach of a particle towards its own and finer levels, and what the search allows for.
+  static float reach_of(const IndexLevel &level) { return 2 * level.cells.largest_radius * kSearchScale + kSearchSlack; }
+
   // Images of the particles of a level, in the order of the particles.
-  void add_by_points(const IndexLevel &level, ImageSet wanted) {
+  void add_by_steps(const IndexLevel &level, ImageSet wanted) {
     const PointStore &from = index_.particles;
     const int32_t *period = index_.map.period;
-    // The largest reach of a particle towards its own and finer levels.
-    const float reach = 2 * level.cells.largest_radius * kSearchScale + kSearchSlack;
     const ImageInput input{
-        {from.x.data(), from.y.data(), from.z.data()}, {period[0], period[1], period[2]}, reach, wanted};
+        {from.x.data(), from.y.data(), from.z.data()}, {period[0], period[1], period[2]}, reach_of(level), wanted};
     for (uint32_t begin = level.begin; begin < level.end;) {
       const uint32_t end = begin + std::min(kTogether, level.end - begin);
       append(find_images_(input, begin, end, found_));
@@ -50,9 +62,26 @@ class ImageBuilder {
     }
   }
 
-  // Chunk by chunk, most of which are far from all faces and not looked into; in each, step by step, so that images
+  // The same in any other cell.
+  void add_by_points(const IndexLevel &level, const ImageRange &wanted) {
+    const double reach = static_cast<double>(reach_of(level));
+    size_t found = 0;
+    for (uint32_t i = level.begin; i < level.end; i++) {
+      double place[3] = {0, 0, 0};
+      for (int axis = 0; axis < dimension_; axis++) place[axis] = index_.particles.column(axis)[i];
+      if (!is_near_face(place, place, reach)) continue;
+      for (Image image = wanted.begin; image < wanted.end; image++) {
+        if (!comes_near(place, place, image, reach)) continue;
+        found_[found++] = {i, image};
+        if (found == kMostFound) append(std::exchange(found, 0));
+      }
+    }
+    append(found);
+  }
+
+  // Chunk by chunk, most of which are far from all faces and not looked into; in each, shift by shift, so that images
   // which lie together search together.
-  void add_by_chunks(int h, ImageSet wanted) {
+  void add_by_chunks(int h, const ImageRange &wanted) {
     const ChunkRows &chunks = index_.chunks;
     const ChunkLevel &level = chunks.level(h);
     const double largest = static_cast<double>(index_.levels[h].cells.largest_radius);
@@ -60,9 +89,9 @@ class ImageBuilder {
     chunks.visit_box(level, level.space, [&](size_t chunk, const double *corner) {
       const double end[3] = {corner[0] + level.chunk_length(), corner[1] + level.row_width,
                              corner[2] + level.row_width};
-      const ImageSet some = wanted & images_near_box(corner, end, reach);
-      for (ImageSet left = some; left != 0; left &= left - 1) {
-        add_chunk(chunk, corner, static_cast<Image>(__builtin_ctz(static_cast<uint32_t>(left))), reach);
+      if (!is_near_face(corner, end, reach)) return true;
+      for (Image image = wanted.begin; image < wanted.end; image++) {
+        if (comes_near(corner, end, image, reach)) add_chunk(chunk, corner, image, reach);
       }
       return true;
     });
@@ -74,29 +103,35 @@ class ImageBuilder {
     for (uint32_t i = index_.chunks.chunk_begin(chunk); i < index_.chunks.chunk_end(chunk); i++) {
       double place[3];
       index_.chunks.find_place(points, i, chunk, corner, dimension_, place);
-      if ((images_near_box(place, place, reach) >> image & 1) == 0) continue;
+      if (!comes_near(place, place, image, reach)) continue;
       for (int axis = 0; axis < dimension_; axis++) {
         index_.image_place[axis].grow(count_ + found + 1);
-        index_.image_place[axis][count_ + found] = place[axis] + image_step(image, axis) * period_place_[axis];
+        index_.image_place[axis][count_ + found] = place[axis] + shifts_.quanta(image, axis);
       }
       found_[found++] = {i, image};
-      if (found < kTogether) continue;
-      append(found);
-      found = 0;
+      if (found == kMostFound) append(std::exchange(found, 0));
     }
     append(found);
   }
 
-  // By which steps may what lies between two places come near the box? As the kernel asks of points.
-  ImageSet images_near_box(const double *low, const double *high, double reach) const {
-    ImageSet images = kForwardImages | kBackwardImages;
-    for (int axis = 0; axis < 3; axis++) {
-      const ImageSet *step = kImagesWithStep[axis];
-      const bool periodic = index_.domain.periodic[axis];
-      const bool down = periodic && high[axis] + reach >= period_place_[axis], up = periodic && low[axis] <= reach;
-      images &= step[1] | (down ? step[0] : 0) | (up ? step[2] : 0);
+  // May what lies between two places come near the box by any shift? From inside, none leads there.
+  bool is_near_face(const double *low, const double *high, double reach) const {
+    for (int axis = 0; axis < dimension_; axis++) {
+      if (period_[axis] > 0 && (low[axis] <= reach || high[axis] + reach >= period_[axis])) return true;
     }
-    return images;
+    return false;
+  }
+
+  bool comes_near(const double *low, const double *high, Image image, double reach) const {
+    for (int axis = 0; axis < 3; axis++) {
+      if (period_[axis] > 0) {
+        const double moved = shifts_.quanta(image, axis);
+        if (high[axis] + moved + reach < 0 || low[axis] + moved - reach > period_[axis]) return false;
+      } else if (shifts_[image].n[axis] != 0) {
+        return false;
+      }
+    }
+    return true;
   }
 
   void append(size_t found) {
@@ -104,8 +139,10 @@ class ImageBuilder {
     const PointStore &from = index_.particles;
     PointStore &to = index_.images;
     for (int axis = 0; axis < dimension_; axis++) {
-      const int32_t *x = from.column(axis).data(), *shift = shift_[axis];
-      fill(to.column(axis), found, [&](PointImage image) { return moved_by(x[image.point], 1, shift[image.image]); });
+      const int32_t *x = from.column(axis).data();
+      fill(to.column(axis), found, [&](PointImage image) {
+        return moved_by(x[image.point], 1, shifts_.coordinate(image.image, axis));
+      });
     }
     fill(to.radius, found, [&](PointImage image) { return from.radius[image.point]; });
     fill(to.slot, found, [&](PointImage image) { return from.slot[image.point]; });
@@ -121,27 +158,30 @@ class ImageBuilder {
   }
 
   Index &index_;
+  const ShiftTable &shifts_;
   int dimension_;
   ImageKernel *find_images_;
   uint32_t count_ = 0;
-  int32_t shift_[3][kImages];
-  double period_place_[3] = {0, 0, 0};
-  PointImage found_[kTogether * kMostImages];
+  double period_[3] = {0, 0, 0};
+  PointImage found_[kMostFound];
 };
 
 }  // namespace
 
 void build_images(Index &index) {
-  if (!index.domain.any_periodic) return;
+  // One particle alone meets nothing but itself.
+  const bool alone = index.levels[index.level_count - 1].end == 1 && !index.domain.all_images;
+  if (!index.domain.any_periodic || alone) return;
+  index.shifts.list(index.domain, index.map, index.largest_reach());
   ImageBuilder images(index);
   bool some_finer = false;
   for (int h = 0; h < index.level_count; h++) {
     IndexLevel &level = index.levels[h];
     level.image_begin = images.count();
-    images.add(h, kForwardImages);
+    images.add_forward(h);
     level.image_forward_end = images.count();
     // Backward ones are for finer levels only.
-    if (some_finer) images.add(h, kBackwardImages);
+    if (some_finer) images.add_backward(h);
     level.image_end = images.count();
     some_finer = some_finer || !level.is_empty();
   }

@@ -13,6 +13,7 @@
 #include "src/levels/level_plan.hpp"
 #include "src/space/cell_table.hpp"
 #include "src/space/fixed_point.hpp"
+#include "src/space/shift_table.hpp"
 
 #include <cstdint>
 
@@ -54,6 +55,7 @@ class Index {
   Index(Memory &memory, const Domain &of_domain, const Interaction &of_interaction)
       : domain(of_domain),
         interaction(of_interaction),
+        shifts(memory),
         particles(memory),
         images(memory),
         cell_begin(memory),
@@ -65,6 +67,15 @@ class Index {
   ChunkTable chunk_table(int h) const { return chunks.table(h, levels[h].cells.largest_radius); }
   // Farther than any two of its particles interact.
   double largest_reach() const { return interaction.diameter(largest_radius); }
+  // The cell is another one from now on; particles and cells stay where they are.
+  void set_cell(const Domain &next) {
+    for (int axis = 0; axis < 3; axis++) {
+      domain.length[axis] = next.length[axis];
+      domain.tilt[axis] = next.tilt[axis];
+    }
+    map.set_cell(domain);
+    if (image_count() > 0) shifts.set_cell(domain, map);
+  }
 
   Domain domain;
   Interaction interaction;  // that it is made for: the grid's, or wider by a skin
@@ -74,6 +85,7 @@ class Index {
   double largest_radius = 0;
   int64_t row_count = 0, cell_count = 0;
 
+  ShiftTable shifts;  // of the images
   PointStore particles;
   PointStore images;
   Buffer<uint32_t> cell_begin;

@@ -25,7 +25,7 @@ class BuildBlock {
 
   void find_rows(size_t at, size_t count, const RowCount &output) {
     load(at, count);
-    for (int axis = 1; axis < D; axis++) fix(axis);
+    fix_from(1);
     find_rows();
     for (size_t i = 0; i < count; i++) {
       output.row_of[at + i] = row_[i];
@@ -35,7 +35,7 @@ class BuildBlock {
 
   void put_into_rows(size_t at, size_t count, const RowScatter &output) {
     load(at, count);
-    for (int axis = 0; axis < D; axis++) fix(axis);
+    fix_from(0);
     fold();
     // The rows' ends are more cache lines than the nearest cache has: ask for all of them before the first is written.
     uint32_t *to = row_;
@@ -73,14 +73,14 @@ class BuildBlock {
     }
   }
 
-  // FixedPoint::coordinate, on a block.
-  void fix(int axis) {
-    double(&position)[kBuildBlock] = position_[axis];
-    const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
-    const double length = input_.map.length[axis];
-    if (length > 0) wrap_block(position, input_.map.box_min[axis], length, input_.extent[axis]);
-    for (size_t i = 0; i < kBuildBlock; i++) {
-      fixed_[axis][i] = floor_within(to_quanta(position[i], half_origin, scale), 0, kFixedPointQuanta - 1);
+  // FixedPoint::find_coordinates, on a block.
+  void fix_from(int first) {
+    wrap_from<D>(first, position_, input_.map, input_.extent);
+    for (int axis = first; axis < D; axis++) {
+      const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
+      for (size_t i = 0; i < kBuildBlock; i++) {
+        fixed_[axis][i] = floor_within(to_quanta(position_[axis][i], half_origin, scale), 0, kFixedPointQuanta - 1);
+      }
     }
   }
 

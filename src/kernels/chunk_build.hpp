@@ -24,7 +24,7 @@ class ChunkBlock {
   template <class Write>
   void find_keys(size_t at, size_t count, Write &&write) {
     for (size_t i = 0; i < kSize; i++) load_one(i, at + (i < count ? i : 0));
-    for (int axis = 0; axis < D; axis++) to_places(axis);
+    to_places();
     choose_levels(radius_, input_.levels, input_.level_count, [this](size_t i, const ChunkLevelKey &level, bool yes) {
       take_if(yes, inverse_cell_[i], level.inverse_cell);
       take_if(yes, inverse_width_[i], level.inverse_width);
@@ -47,8 +47,8 @@ class ChunkBlock {
 
   void put(size_t at, size_t count, const uint32_t *slots, const ChunkScatter &output) {
     for (size_t i = 0; i < kSize; i++) load_one(i, slots[at + (i < count ? i : 0)]);
+    to_places();
     for (int axis = 0; axis < D; axis++) {
-      to_places(axis);
       int32_t *to = axis == 0 ? output.x : (axis == 1 ? output.y : output.z);
       for (size_t i = 0; i < count; i++) to[at + i] = low_word(position_[axis][i]);
     }
@@ -64,13 +64,13 @@ class ChunkBlock {
     radius_[i] = input_.radii[slot];
   }
 
-  // Whole quanta above the origin, in doubles: FixedPoint::place on a block.
-  void to_places(int axis) {
-    double(&position)[kSize] = position_[axis];
-    const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
-    const double length = input_.map.length[axis];
-    if (length > 0) wrap_block(position, input_.map.box_min[axis], length, input_.extent[axis]);
-    for (double &place : position) place = to_whole(to_quanta(place, half_origin, scale));
+  // Whole quanta above the origin, in doubles: FixedPoint::find_place on a block.
+  void to_places() {
+    wrap_from<D>(0, position_, input_.map, input_.extent);
+    for (int axis = 0; axis < D; axis++) {
+      const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
+      for (double &place : position_[axis]) place = to_whole(to_quanta(place, half_origin, scale));
+    }
   }
 
   // Of 0 <= x < 2^51.

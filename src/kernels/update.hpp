@@ -34,12 +34,11 @@ class UpdateBlock {
     const size_t count = end - at < kUpdateBlock ? end - at : kUpdateBlock;
     load(at, count, end);
     for (float &d2 : moved2_) d2 = 0;
-    for (int axis = 0; axis < D; axis++) {
-      if (input_.place[axis] == nullptr) {
-        update_axis(axis);
-      } else {
-        update_far_axis(axis, at, count);
-      }
+    wrap_from<D>(0, position_, input_.map, input_.extent);
+    if (input_.place[0] == nullptr && !input_.map.tilted) {
+      for (int axis = 0; axis < D; axis++) update_axis(axis);
+    } else {
+      update_places(at, count);
     }
     for (float &room : room_) room = input_.room;
     if (input_.radii != nullptr) grow();
@@ -81,20 +80,18 @@ class UpdateBlock {
     start_radius_[i] = input_.radius[from];
   }
 
-  // FixedPoint::coordinate, but on open axes particles may leave the frame, and on periodic ones they keep to the image
-  // that is nearest to where they were.
+  // FixedPoint::find_coordinates, but on open axes particles may leave the frame, and on periodic ones they keep to the
+  // image that is nearest to where they were.
   void update_axis(int axis) {
-    double(&position)[kUpdateBlock] = position_[axis];
+    const double(&position)[kUpdateBlock] = position_[axis];
     int32_t *__restrict fixed = fixed_[axis];
     const int32_t *__restrict start = start_[axis];
     float *__restrict moved2 = moved2_;
     const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
-    const double length = input_.map.length[axis];
-    if (length > 0) wrap_block(position, input_.map.box_min[axis], length, input_.extent[axis]);
     for (size_t i = 0; i < kUpdateBlock; i++) {
       fixed[i] = floor_within(to_quanta(position[i], half_origin, scale), kLow, kSpan);
     }
-    if (length > 0) {
+    if (input_.map.length[axis] > 0) {
       const int32_t period = input_.map.period[axis], half = period / 2;
       for (size_t i = 0; i < kUpdateBlock; i++) {
         const int32_t moved = fixed[i] - start[i];
@@ -107,26 +104,50 @@ class UpdateBlock {
     }
   }
 
-  // The same where coordinates wrap and so do not tell how far a particle has moved: places do.
-  void update_far_axis(int axis, size_t at, size_t count) {
+  // The same in doubles: where coordinates wrap and so do not tell how far a particle has moved, and where whole edges
+  // of a tilted cell lead back to the nearest image.
+  void update_places(size_t at, size_t count) {
+    const FixedPoint &map = input_.map;
+    for (int axis = D - 1; axis >= 0; axis--) {
+      double(&position)[kUpdateBlock] = position_[axis];
+      const double scale = map.scale, half_origin = map.half_origin[axis];
+      for (double &place : position) {
+        const double quanta = to_quanta(place, half_origin, scale);
+        place = quanta > -kFarthest ? (quanta < kFarthest ? quanta : kFarthest) : -kFarthest;
+      }
+      double start[kUpdateBlock];
+      for (size_t i = 0; i < kUpdateBlock; i++) start[i] = start_place(axis, i, at + (i < count ? i : 0));
+      if (map.length[axis] > 0) lead_back(axis, start);
+      if (input_.place[axis] != nullptr) {
+        for (size_t i = 0; i < kUpdateBlock; i++) fixed_[axis][i] = low_word(to_whole(position[i] + kFarthest));
+      } else {
+        for (size_t i = 0; i < kUpdateBlock; i++) fixed_[axis][i] = floor_within(position[i], kLow, kSpan);
+        for (size_t i = 0; i < kUpdateBlock; i++) position[i] = fixed_[axis][i];
+      }
+      for (size_t i = 0; i < kUpdateBlock; i++) {
+        const float moved = static_cast<float>(position[i] - start[i]);
+        moved2_[i] += moved * moved;
+      }
+    }
+  }
+
+  double start_place(int axis, size_t i, size_t point) const {
+    return input_.place[axis] != nullptr ? input_.place[axis][point] : start_[axis][i];
+  }
+
+  // By whole edges, the last first.
+  void lead_back(int axis, const double (&start)[kUpdateBlock]) {
+    const FixedPoint &map = input_.map;
     double(&position)[kUpdateBlock] = position_[axis];
-    double start[kUpdateBlock];
-    for (size_t i = 0; i < kUpdateBlock; i++) start[i] = input_.place[axis][at + (i < count ? i : 0)];
-    const double scale = input_.map.scale, half_origin = input_.map.half_origin[axis];
-    const double length = input_.map.length[axis];
-    if (length > 0) wrap_block(position, input_.map.box_min[axis], length, input_.extent[axis]);
-    for (double &place : position) {
-      const double quanta = to_quanta(place, half_origin, scale);
-      place = quanta > -kFarthest ? (quanta < kFarthest ? quanta : kFarthest) : -kFarthest;
+    for (int higher = D - 1; higher > axis && map.tilted; higher--) {
+      const double tilt = map.tilt[kTiltOf[higher][axis]] * map.scale;
+      for (size_t i = 0; i < kUpdateBlock; i++) position[i] += edges_[higher][i] * tilt;
     }
-    if (length > 0) {
-      const double period = input_.map.period_place(axis);
-      for (size_t i = 0; i < kUpdateBlock; i++) position[i] += period * boxes_back(position[i] - start[i], period);
-    }
+    const double period = map.tilted ? map.length[axis] * map.scale : map.period_place(axis);
     for (size_t i = 0; i < kUpdateBlock; i++) {
-      fixed_[axis][i] = low_word(to_whole(position[i] + kFarthest));
-      const float moved = static_cast<float>(position[i] - start[i]);
-      moved2_[i] += moved * moved;
+      edges_[axis][i] = map.tilted ? edges_back(position[i] - start[i], period)
+                                   : boxes_back(position[i] - start[i], period);
+      position[i] += period * edges_[axis][i];
     }
   }
 
@@ -144,6 +165,7 @@ class UpdateBlock {
 
   const UpdateInput &input_;
   alignas(64) double position_[3][kUpdateBlock];
+  alignas(64) double edges_[3][kUpdateBlock] = {};  // that lead back
   alignas(64) double radius_[kUpdateBlock];
   const int32_t *start_[3];
   alignas(64) int32_t start_copy_[3][kUpdateBlock];

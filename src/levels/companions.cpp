@@ -13,9 +13,11 @@ constexpr size_t kSample = 4096;
 
 uint64_t cell_number(const double *center, const FixedPoint &map, int dimension, const CellTable &cells) {
   uint64_t number = 0;
+  int32_t x[3];
+  map.find_coordinates(center, dimension, x);
   for (int axis = 0; axis < dimension; axis++) {
-    const auto x = static_cast<float>(map.coordinate(axis, center[axis]));
-    const int32_t cell = cell_of<ScalarLanes>(x, cells.inverse_width[axis], last_of(cells, axis));
+    const auto here = static_cast<float>(x[axis]);
+    const int32_t cell = cell_of<ScalarLanes>(here, cells.inverse_width[axis], last_of(cells, axis));
     number = number << 20 | static_cast<uint64_t>(cell);
   }
   return number;

@@ -39,9 +39,8 @@ Density Density::sample(const ParticleStore &store, const FixedPoint &map, int d
   const size_t count = store.slots(), taken = std::min(count, kSample);
   uint64_t keys[kSample];
   for (size_t i = 0; i < taken; i++) {
-    const double *center = store.center(i * count / taken);
     int32_t x[3] = {0, 0, 0};
-    for (int axis = 0; axis < dimension; axis++) x[axis] = map.coordinate(axis, center[axis]);
+    map.find_coordinates(store.center(i * count / taken), dimension, x);
     keys[i] = interleaved(x, dimension);
   }
   std::sort(keys, keys + taken);

@@ -5,7 +5,6 @@
 #include "src/base/error.hpp"
 #include "src/base/ordered_bits.hpp"
 #include "src/base/parallel.hpp"
-#include "src/exact/exact_sign.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,18 +73,34 @@ void InputCheck::check_numbers(const InputArrays &input, const InputSummary &fou
   fail(HG_ERR_INTERNAL, "a bad value was seen but not found again");
 }
 
-void InputCheck::check_wraps(const InputArrays &input, const InputSummary &found) const {
-  const auto dimension = static_cast<size_t>(domain_.dimension);
-  for (int axis = 0; axis < domain_.dimension; axis++) {
+// Of the extremes on each axis: false if no particle between them lies too far outside.
+bool InputCheck::may_be_outside(const InputSummary &found) const {
+  double boxes[3] = {0, 0, 0};
+  for (int axis = domain_.dimension - 1; axis >= 0; axis--) {
     if (!domain_.periodic[axis]) continue;
-    const auto too_far = [this, axis](double x) { return !(std::fabs(domain_.wraps(axis, x)) <= kMaxWraps); };
-    if (!too_far(found.center[axis].least) && !too_far(found.center[axis].greatest)) continue;
-    for (size_t i = 0; i < input.count; i++) {
-      const double x = input.centers[i * dimension + static_cast<size_t>(axis)];
-      if (!too_far(x)) continue;
-      fail(HG_ERR_LIMIT, "centers[%zu][%d] = %g: more than 2^20 box lengths outside the periodic box [%g, %g]", i, axis,
-           x, domain_.box_min[axis], domain_.box_max[axis]);
+    double size = 0;
+    for (const double x : {found.center[axis].least, found.center[axis].greatest}) {
+      size = std::max(size, std::fabs(x - domain_.box_min[axis]));
     }
+    for (int higher = axis + 1; higher < domain_.dimension; higher++) {
+      size += boxes[higher] * std::fabs(domain_.tilt[kTiltOf[higher][axis]]);
+    }
+    boxes[axis] = size / domain_.length[axis] + 1;
+    if (!(boxes[axis] <= domain_.most_outside())) return true;
+  }
+  return false;
+}
+
+void InputCheck::check_wraps(const InputArrays &input, const InputSummary &found) const {
+  if (!domain_.any_periodic || !may_be_outside(found)) return;
+  const auto dimension = static_cast<size_t>(domain_.dimension);
+  for (size_t i = 0; i < input.count; i++) {
+    const double *center = input.centers + i * dimension;
+    const Domain::Outside outside = domain_.outside(center);
+    if (outside.boxes <= domain_.most_outside()) continue;
+    const int axis = outside.axis;
+    fail(HG_ERR_LIMIT, "centers[%zu][%d] = %g: more than 2^%d box lengths outside the periodic box [%g, %g]", i, axis,
+         center[axis], std::ilogb(domain_.most_outside()), domain_.box_min[axis], domain_.box_max[axis]);
   }
 }
 
@@ -95,28 +110,10 @@ void InputCheck::check_largest(const InputArrays &input, double radius) const {
   if (!(diameter <= kLargest)) {
     fail(HG_ERR_LIMIT, "radii[%zu] = %g: its diameter with margin overflows", index, radius);
   }
-  check_box(index, radius);
   const double bare = Interaction{interaction_.kind, 0}.diameter(radius);
   if (bare > largest_diameter_) {
     fail(HG_ERR_ARGUMENT, "radii[%zu] = %g: its diameter is %g, but the last of cell_sizes is %g", index, radius, bare,
          largest_diameter_);
-  }
-}
-
-// Nearest images are unique only while every reach is at most half the box.
-void InputCheck::check_box(size_t index, double radius) const {
-  if (!domain_.any_periodic) return;
-  ExactSum twice_reach;
-  interaction_.add_reach(twice_reach, radius, radius);
-  for (int n = 0; n < twice_reach.count; n++) twice_reach.terms[n].factor *= 2;
-  for (int axis = 0; axis < domain_.dimension; axis++) {
-    ExactSum length;
-    length.add(domain_.box_max[axis], 1);
-    length.add(domain_.box_min[axis], -1);
-    if (domain_.periodic[axis] && exact_less(&length, 1, twice_reach)) {
-      fail(HG_ERR_ARGUMENT, "radii[%zu] = %g: the periodic box is %g long in %c, shorter than twice the reach %g",
-           index, radius, domain_.length[axis], "xyz"[axis], interaction_.diameter(radius));
-    }
   }
 }
 

@@ -21,16 +21,20 @@ class InputCheck {
   InputCheck(const Domain &domain, const Interaction &interaction, double largest_diameter, int threads)
       : domain_(domain), interaction_(interaction), largest_diameter_(largest_diameter), threads_(threads) {}
 
+  void set_domain(const Domain &domain) { domain_ = domain; }
+
   // Copies and summarises. Checks nothing.
   InputSummary summarise(const InputArrays &input) const;
   // The same, but throws an Error that names index and value if something is wrong. The copies are made all the same.
   InputSummary check(const InputArrays &input) const;
 
+  // The part of the check that a new domain asks for, too.
+  void check_wraps(const InputArrays &input, const InputSummary &found) const;
+
  private:
   void check_numbers(const InputArrays &input, const InputSummary &found) const;
-  void check_wraps(const InputArrays &input, const InputSummary &found) const;
+  bool may_be_outside(const InputSummary &found) const;
   void check_largest(const InputArrays &input, double radius) const;
-  void check_box(size_t index, double radius) const;
 
   Domain domain_;
   Interaction interaction_;

@@ -15,8 +15,10 @@ constexpr int64_t kMaxId = std::numeric_limits<int32_t>::max();
 
 }  // namespace
 
-ParticleStore::ParticleStore(Memory &memory, const InputCheck &check, int dimension, int32_t index_base)
+ParticleStore::ParticleStore(Memory &memory, const InputCheck &check, const ShortCell &cell, int dimension,
+                             int32_t index_base)
     : check_(check),
+      cell_(cell),
       dimension_(static_cast<size_t>(dimension)),
       index_base_(index_base),
       next_id_(index_base),
@@ -36,14 +38,15 @@ void ParticleStore::insert(size_t count, const double *centers, const double *ra
   if (removed_ > 0) dead_.grow(slots_ + count);
 
   // Copied beyond what counts, so that nothing has changed if the check fails.
-  const InputSummary found =
+  InputSummary all =
       check_.check({count, centers, radii, centers_.data() + slots_ * dimension_, radii_.data() + slots_});
+  if (slots_ > 0) include(all, summary_);
+  check_cell(cell_, radii_.data(), slots_ + count, all.radius.greatest);
   for (size_t i = 0; !contiguous_ && i < count; i++) {
     ids_[slots_ + i] = static_cast<int32_t>(next_id_ + static_cast<int64_t>(i));
   }
   if (removed_ > 0) std::memset(dead_.data() + slots_, 0, count);
-  if (slots_ == 0) summary_ = found;
-  include(summary_, found);
+  summary_ = all;
   slots_ += count;
   next_id_ += static_cast<int64_t>(count);
 }
@@ -53,8 +56,9 @@ void ParticleStore::move(size_t count, const double *centers, const double *radi
     fail(HG_ERR_ARGUMENT, "count is %zu but the grid holds %zu particles", count, live_count());
   }
   if (count == 0) return;
-  InputSummary found = check_.check({count, centers, radii, nullptr, nullptr});
   compact();
+  InputSummary found = check_.check({count, centers, radii, nullptr, nullptr});
+  if (radii != nullptr) check_cell(cell_, radii, count, found.radius.greatest);
   std::memcpy(centers_.data(), centers, count * dimension_ * sizeof(double));
   if (radii != nullptr) std::memcpy(radii_.data(), radii, count * sizeof(double));
   if (radii == nullptr) found.radius = summary_.radius;
@@ -80,6 +84,33 @@ void ParticleStore::remove(size_t count, const int32_t *ids) {
     contiguous_ = false;
   }
   removed_ += count;
+}
+
+void ParticleStore::set_cell(const Domain &domain, const ShortCell &cell) {
+  compact();
+  InputCheck check = check_;
+  check.set_domain(domain);
+  if (slots_ > 0) {
+    check.check_wraps({slots_, centers_.data(), radii_.data(), nullptr, nullptr}, summary_);
+    check_cell(cell, radii_.data(), slots_, summary_.radius.greatest);
+  }
+  check_ = check;
+  cell_ = cell;
+}
+
+// Of particles by slot, removed ones left out; those behind all slots are about to be inserted.
+void ParticleStore::check_cell(const ShortCell &cell, const double *radii, size_t count, double greatest) const {
+  if (cell.is_long_for(greatest)) return;
+  TwoLargest largest;
+  for (size_t slot = 0; slot < count; slot++) {
+    const bool dead = removed_ > 0 && slot < slots_ && dead_[slot] != 0;
+    if (!dead) largest.include(slot, radii[slot]);
+  }
+  cell.check(largest, {id_of(largest.place[0]), id_of(largest.place[1])});
+}
+
+int32_t ParticleStore::id_of(size_t slot) const {
+  return slot < slots_ ? id(slot) : static_cast<int32_t>(next_id_ + static_cast<int64_t>(slot - slots_));
 }
 
 void ParticleStore::clear() {

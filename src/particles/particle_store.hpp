@@ -7,6 +7,7 @@
 #include "src/base/memory.hpp"
 #include "src/exact/overlap.hpp"
 #include "src/particles/input_check.hpp"
+#include "src/particles/short_cell.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,13 +16,15 @@ namespace hg {
 
 class ParticleStore {
  public:
-  ParticleStore(Memory &memory, const InputCheck &check, int dimension, int32_t index_base);
+  ParticleStore(Memory &memory, const InputCheck &check, const ShortCell &cell, int dimension, int32_t index_base);
 
   // Throws and changes nothing if a value is bad.
   void insert(size_t count, const double *centers, const double *radii);
   void move(size_t count, const double *centers, const double *radii);
   void remove(size_t count, const int32_t *ids);
   void clear();
+  // Throws and changes nothing if the particles do not suit the cell.
+  void set_cell(const Domain &domain, const ShortCell &cell);
   // Closes the gaps that remove() left. Slots change.
   void compact() noexcept;
 
@@ -43,7 +46,11 @@ class ParticleStore {
   size_t find(int64_t id) const;
 
  private:
+  int32_t id_of(size_t slot) const;
+  void check_cell(const ShortCell &cell, const double *radii, size_t count, double greatest) const;
+
   InputCheck check_;
+  ShortCell cell_;
   size_t dimension_;
   int32_t index_base_;
   int64_t next_id_;

@@ -24,8 +24,8 @@ class GiantPairs {
   bool run(const SearchTask &task);
 
  private:
-  PlaceBox box_of(const SearchTask &task, uint32_t i, const Ball &ball) const;
-  bool test(const SearchTask &task, uint32_t i, const Ball &ball, uint32_t begin, uint32_t end);
+  PlaceBox box_of(const SearchTask &task, uint32_t i, double radius) const;
+  bool test(const SearchTask &task, uint32_t i, uint32_t slot, uint32_t begin, uint32_t end);
 
   const Index &index_;
   const ParticleStore &store_;

@@ -6,6 +6,7 @@
 #include "src/pairs/undecided_pairs.hpp"
 #include "src/search/chunk_pairs.hpp"
 #include "src/search/giant_pairs.hpp"
+#include "src/search/image_pairs.hpp"
 
 #include <limits>
 
@@ -20,7 +21,7 @@ PairJudge PairSearch::judge() const {
   judge.decide = [](PairStream *stream) {
     const auto &self = *static_cast<const PairSearch *>(stream->judge.source);
     decide_each(*stream, [&](const UndecidedPair &pair) {
-      return self.overlap_.holds(self.store_.ball(pair.a), self.store_.ball(pair.b), pair.image, stream->exact_total);
+      return interact(self.index_, self.store_, self.overlap_, pair.a, pair.b, pair.image, stream->exact_total);
     });
   };
   judge.source = this;

@@ -30,7 +30,7 @@ class PairSearch : public PairSource {
   const Index &index_;
   const SearchTasks &tasks_;
   const ParticleStore &store_;
-  Overlap overlap_;
+  const Overlap &overlap_;
 };
 
 // HG_DOUBLE is its plain expression even where that under- or overflows. Only on such scales (quanta per length,

@@ -11,9 +11,6 @@
 namespace hg {
 namespace {
 
-// A skin of fewer quanta is eaten up by what the fixed-point places are off by.
-constexpr double kLeastQuanta = 64;
-
 // The share of all pairs of evenly spread points that are nearer than the skin, or less.
 double share_within(double skin, const Bounds &bounds, int dimension) {
   double share = 1;

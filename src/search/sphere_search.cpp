@@ -17,9 +17,11 @@ void check_sphere(const Domain &domain, const Ball &sphere) {
   for (int axis = 0; axis < domain.dimension; axis++) {
     const double x = sphere.center[axis];
     if (!std::isfinite(x)) fail(HG_ERR_ARGUMENT, "center[%d] = %g is not finite", axis, x);
-    if (!(std::fabs(domain.wraps(axis, x)) <= kMaxWraps)) {
-      fail(HG_ERR_ARGUMENT, "center[%d] = %g: more than 2^20 box lengths outside the periodic box", axis, x);
-    }
+  }
+  const Domain::Outside outside = domain.outside(sphere.center);
+  if (!(outside.boxes <= domain.most_outside())) {
+    fail(HG_ERR_ARGUMENT, "center[%d] = %g: more than 2^%d box lengths outside the periodic box", outside.axis,
+         sphere.center[outside.axis], std::ilogb(domain.most_outside()));
   }
   if (!std::isfinite(sphere.radius) || is_negative(sphere.radius)) {
     fail(HG_ERR_ARGUMENT, "radius = %g is not finite and >= 0", sphere.radius);
@@ -29,15 +31,11 @@ void check_sphere(const Domain &domain, const Ball &sphere) {
 class SphereSearch {
  public:
   SphereSearch(const BuiltGrid &grid, const Ball &sphere, Buffer<int32_t> &ids)
-      : grid_(grid), index_(grid.index), sphere_(sphere), ids_(ids) {}
+      : grid_(grid), index_(grid.index), sphere_(sphere), ids_(ids), boxes_(index_.domain.take_in(sphere.center, place_)) {}
 
   size_t run() {
     for (int h = 0; h < index_.level_count; h++) {
-      const IndexLevel &level = index_.levels[h];
-      if (level.is_empty()) continue;
-      for (Image image = 0; image < kImages; image++) {
-        if (is_possible(image)) search(h, image);
-      }
+      if (!index_.levels[h].is_empty()) search_level(h);
     }
     std::sort(ids_.data(), ids_.data() + count_);
     // A sphere wider than half the box can meet a particle through several images.
@@ -48,33 +46,43 @@ class SphereSearch {
   }
 
  private:
-  bool is_possible(Image image) const {
-    for (int axis = 0; axis < 3; axis++) {
-      if (image_step(image, axis) != 0 && !index_.domain.periodic[axis]) return false;
+  void search_level(int h) {
+    const Domain &domain = index_.domain;
+    const double reach = index_.interaction.reach(sphere_.radius, index_.levels[h].largest_radius);
+    const double enough = std::min(reach * (1 + 0x1p-40), farthest_image());
+    PlaceBox from, to;
+    for (int axis = 0; axis < domain.dimension; axis++) {
+      const double around = enough + place_slack(domain, axis) + kFarSlack / index_.map.scale;
+      from.low[axis] = from.high[axis] = place_[axis];
+      to.low[axis] = -around;
+      to.high[axis] = index_.map.extent[axis] / index_.map.scale + around;
     }
-    return true;
+    visit_shifts(domain, from, to, [&](const Shift &shift) { search(h, search_box(domain, place_, shift, reach), shift); });
   }
 
-  void search(int h, Image image) {
-    const IndexLevel &level = index_.levels[h];
-    const double reach = index_.interaction.reach(sphere_.radius, level.largest_radius);
-    const SearchBox box = SearchBox::around(index_.domain, sphere_.center, image, reach);
-    if (box.misses(index_.domain)) return;
+  // No particle is farther from its nearest image than half the diagonal of the box. Stored candidates may have left
+  // their places by the skin.
+  double farthest_image() const {
+    const double diagonal = std::hypot(index_.domain.period(0), index_.domain.period(1), index_.domain.period(2));
+    return 0.5 * diagonal * (1 + 0x1p-20) + (index_.interaction.margin - grid_.overlap.interaction().margin);
+  }
+
+  void search(int h, const PlaceBox &box, const Shift &shift) {
     if (index_.chunked) {
-      search_chunks(index_.chunks.level(h), box, image);
+      search_chunks(index_.chunks.level(h), box, shift);
     } else {
-      search_cells(level.cells, box, image);
+      search_cells(index_.levels[h].cells, box, shift);
     }
   }
 
-  void search_chunks(const ChunkLevel &level, const SearchBox &box, Image image) {
+  void search_chunks(const ChunkLevel &level, const PlaceBox &box, const Shift &shift) {
     PlaceBox places;
     for (int axis = 0; axis < index_.domain.dimension; axis++) {
       places.low[axis] = place(axis, box.low[axis]);
       places.high[axis] = place(axis, box.high[axis]);
     }
     index_.chunks.visit_box(level, places, [&](size_t chunk, const double *) {
-      test(index_.chunks.chunk_begin(chunk), index_.chunks.chunk_end(chunk), image);
+      test(index_.chunks.chunk_begin(chunk), index_.chunks.chunk_end(chunk), shift);
       return true;
     });
   }
@@ -85,7 +93,7 @@ class SphereSearch {
   }
 
   // Eqs. 4 and 5, row by row.
-  void search_cells(const CellTable &cells, const SearchBox &box, Image image) {
+  void search_cells(const CellTable &cells, const PlaceBox &box, const Shift &shift) {
     int32_t first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
     for (int axis = 0; axis < index_.domain.dimension; axis++) {
       first[axis] = outer_cell(cells, axis, box.low[axis], -1.0);
@@ -95,7 +103,7 @@ class SphereSearch {
       for (int32_t y = first[1]; y <= last[1]; y++) {
         const size_t row = static_cast<size_t>(z) * static_cast<size_t>(cells.count[1]) + static_cast<size_t>(y);
         const uint32_t *cell = cells.cell_begin + row * static_cast<size_t>(cells.count[0]);
-        test(cell[first[0]], cell[last[0] + 1], image);
+        test(cell[first[0]], cell[last[0] + 1], shift);
       }
     }
   }
@@ -107,22 +115,27 @@ class SphereSearch {
     return cell_of<ScalarLanes>(within, cells.inverse_width[axis], last_of(cells, axis));
   }
 
-  void test(uint32_t begin, uint32_t end, Image image) {
+  void test(uint32_t begin, uint32_t end, const Shift &shift) {
     int64_t exact = 0;
     for (uint32_t j = begin; j < end; j++) {
       const uint32_t slot = index_.particles.slot[j];
-      Image seen = image;
-      if (grid_.candidates.moved() && !grid_.candidates.see(j, seen, grid_.store)) continue;
-      if (!grid_.overlap.holds(sphere_, grid_.store.ball(slot), seen, exact)) continue;
+      if (!grid_.overlap.holds(sphere_, grid_.store.ball(slot), shift + boxes_of(j, slot) - boxes_, exact)) continue;
       ids_.grow(count_ + 1);
       ids_[count_++] = grid_.store.id(slot);
     }
+  }
+
+  Shift boxes_of(uint32_t particle, uint32_t slot) const {
+    return grid_.candidates.moved() ? grid_.candidates.boxes(particle, grid_.store)
+                                    : index_.domain.boxes(grid_.store.center(slot));
   }
 
   const BuiltGrid &grid_;
   const Index &index_;
   const Ball &sphere_;
   Buffer<int32_t> &ids_;
+  double place_[3] = {0, 0, 0};
+  Shift boxes_;  // that were taken off the centre
   size_t count_ = 0;
 };
 

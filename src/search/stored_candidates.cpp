@@ -17,17 +17,23 @@ namespace {
 
 // Two places are off by less than 6.08 quanta together, and what HG_DOUBLE computes across a box by 2.2 more.
 constexpr double kPlaceError = 9;
+// A cell that is deformed by more than that is another one.
+constexpr double kMostDeformed = 0x1p-4;
 // Covers the roundings of squares, sums and of the skin itself.
 constexpr double kRoomScale = 1 - 0x1p-20;
 
 constexpr size_t kUpdateTask = 8192;  // particles
+
+float room_within(double skin, double scale) {
+  return static_cast<float>((0.5 * skin * scale - kPlaceError) * kRoomScale);
+}
 
 // All pairs nearer than the reach that the index was made for, and some about as near. `points` are the numbers of all
 // particles of the index, then of its images.
 class CandidateSearch final : public PairSearch {
  public:
   CandidateSearch(const Index &index, const SearchTasks &tasks, const ParticleStore &store, const uint32_t *points)
-      : PairSearch(index, tasks, store, Overlap(index.interaction, HG_FLOAT, index.domain)), points_(points) {}
+      : PairSearch(index, tasks, store, wide_), points_(points), wide_(index.interaction, HG_FLOAT, index.domain) {}
 
   // Candidates need not be sure to interact: all that is undecided stays.
   PairJudge judge() const override {
@@ -49,6 +55,7 @@ class CandidateSearch final : public PairSearch {
 
  private:
   const uint32_t *points_;
+  Overlap wide_;
 };
 
 }  // namespace
@@ -74,8 +81,9 @@ bool StoredCandidates::collect(const Index &index, const SearchTasks &tasks, con
   if (index.squeezed.in_use() || (index.chunked && index.chunks.has_giants())) return false;
   index_ = &index;
   interaction_ = interaction;
-  const double skin = index.interaction.margin - interaction.margin;
-  room_ = static_cast<float>((0.5 * skin * index.map.scale - kPlaceError) * kRoomScale);
+  collected_ = index.domain;
+  skin_ = index.interaction.margin - interaction.margin;
+  room_ = room_within(skin_, index.map.scale);
 
   // While collecting, each point stands for itself.
   slot_.require_room(count + kPadding);
@@ -120,13 +128,12 @@ void StoredCandidates::set_points(const ParticleStore &store) {
     for (size_t p = begin; p < end; p++) {
       const auto radius = static_cast<float>((store.radius(slot_[p]) + extra) * scale);
       points_[p] = {from.x[p], from.y[p], flat ? 0 : from.z[p], radius};
-      for (int axis = 0; axis < with_places; axis++) place_[axis][p] = place_of(p, axis, store);
+      if (with_places == 0) continue;
+      double quanta[3];
+      index_->map.find_quanta(store.center(slot_[p]), with_places, quanta);
+      for (int axis = 0; axis < with_places; axis++) place_[axis][p] = quanta[axis];
     }
   });
-}
-
-double StoredCandidates::place_of(size_t p, int axis, const ParticleStore &store) const {
-  return index_->map.quanta_of_center(axis, store.center(slot_[p])[axis]);
 }
 
 void StoredCandidates::find_points_of_slots() {
@@ -216,61 +223,68 @@ bool StoredCandidates::update_particles(const ParticleStore &store, bool radii) 
 }
 
 void StoredCandidates::update_images() {
-  const int32_t *period = index_->map.period;
+  const ShiftTable &shifts = index_->shifts;
   for (size_t m = 0; m < image_count_; m++) {
     const Image image = index_->images.image[m];
     Point point = points_[original_[m]];
-    point.x = moved_by(point.x, image_step(image, 0), period[0]);
-    point.y = moved_by(point.y, image_step(image, 1), period[1]);
-    point.z = moved_by(point.z, image_step(image, 2), period[2]);
+    point.x = moved_by(point.x, 1, shifts.coordinate(image, 0));
+    point.y = moved_by(point.y, 1, shifts.coordinate(image, 1));
+    point.z = moved_by(point.z, 1, shifts.coordinate(image, 2));
     points_[particle_count_ + m] = point;
   }
 }
 
-// By how many box lengths, -1, 0 or 1, particle p has left the box.
-void StoredCandidates::boxes_outside(size_t p, const ParticleStore &store, int *boxes) const {
-  const Point &point = points_[p];
-  const int32_t here[3] = {point.x, point.y, point.z};
-  for (int axis = 0; axis < 3; axis++) {
-    boxes[axis] = 0;
-    if (!index_->domain.periodic[axis]) continue;
-    if (index_->chunked) {
-      const double moved = place_of(p, axis, store) - place_[axis][p];
-      boxes[axis] = static_cast<int>(boxes_back(moved, index_->map.period_place(axis)));
-      continue;
-    }
-    const int32_t inside = index_->map.coordinate(axis, store.center(slot_[p])[axis]);
-    boxes[axis] = static_cast<int>(std::nearbyint(static_cast<double>(here[axis] - inside) / index_->map.period[axis]));
-  }
+double StoredCandidates::start_place(size_t p, int axis) const {
+  return index_->chunked ? place_[axis][p] : index_->particles.column(axis)[p];
 }
 
-bool StoredCandidates::see(size_t p, Image &image, const ParticleStore &store) const {
-  const int none[3] = {0, 0, 0};
-  return see_from(none, p, image, store);
-}
-
-bool StoredCandidates::see_from(const int *ball_boxes, size_t p, Image &image, const ParticleStore &store) const {
-  int boxes[3];
-  boxes_outside(p, store, boxes);
-  for (int axis = 0; axis < 3; axis++) {
-    boxes[axis] = image_step(image, axis) + ball_boxes[axis] - boxes[axis];
-    if (boxes[axis] < -1 || boxes[axis] > 1) return false;
+// Once particles have moved, they may lie outside the box: nearest to where they were.
+Shift StoredCandidates::boxes(size_t p, const ParticleStore &store) const {
+  const Domain &domain = index_->domain;
+  const FixedPoint &map = index_->map;
+  const double *center = store.center(slot_[p]);
+  Shift boxes = domain.boxes(center);
+  if (!moved_) return boxes;
+  double quanta[3];
+  map.find_quanta(center, domain.dimension, quanta);
+  Shift back;
+  for (int axis = domain.dimension - 1; axis >= 0; axis--) {
+    if (!domain.periodic[axis]) continue;
+    const double here = quanta[axis] + domain.shifted(axis, back) * map.scale;
+    back.n[axis] = static_cast<int32_t>(edges_back(here - start_place(p, axis), domain.length[axis] * map.scale));
   }
-  image = make_image(boxes[0], boxes[1], boxes[2]);
-  return true;
+  return boxes - back;
 }
 
 // An image is always the larger number.
 bool StoredCandidates::interact(uint32_t a, uint32_t b, const ParticleStore &store, const Overlap &overlap,
                                 int64_t &exact) const {
+  const Ball ball_a = store.ball(slot_[a]), ball_b = store.ball(slot_[b]);
+  const Domain &domain = index_->domain;
+  if (!domain.any_periodic) return overlap.is_pair(ball_b, ball_a, Shift{}, exact);
+  if (slot_[a] == slot_[b] && !domain.all_images) return false;
   const bool b_is_image = b >= particle_count_;
-  Image image = b_is_image ? index_->images.image[b - particle_count_] : kNoImage;
-  if (moved_ && index_->domain.any_periodic) {
-    int boxes[3];
-    boxes_outside(b_is_image ? original_[b - particle_count_] : b, store, boxes);
-    if (!see_from(boxes, a, image, store)) return false;
+  const Shift step = index_->shifts[b_is_image ? index_->images.image[b - particle_count_] : kNoImage];
+  const uint32_t original = b_is_image ? original_[b - particle_count_] : b;
+  return overlap.is_pair(ball_b, ball_a, step + boxes(a, store) - boxes(original, store), exact);
+}
+
+// Two particles of the box, and one of them moved by whole edges, are farther apart by what the deformation makes of the
+// edges: at most its norm times the length of these, which is less than the diagonal of the box and the reach.
+// docs/theory/exactness.md, section 13.
+bool StoredCandidates::keep_in(const Domain &domain) {
+  if (!kept_) return false;
+  double diagonal = 0;
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    diagonal += domain.period(axis);
+    if (std::fabs(domain.box_min[axis] - collected_.box_min[axis]) > collected_.length[axis]) return false;
   }
-  return overlap.holds(store.ball(slot_[b]), store.ball(slot_[a]), image, exact);
+  const double norm = deformation(collected_, domain);
+  const double longer = norm * (diagonal * (1 + kMostDeformed) + index_->largest_reach() + skin_);
+  const double skin = skin_ - longer * (1 + 0x1p-20);
+  if (!(norm <= kMostDeformed && skin * index_->map.scale >= kLeastQuanta)) return false;
+  room_ = room_within(skin, index_->map.scale);
+  return true;
 }
 
 }  // namespace hg

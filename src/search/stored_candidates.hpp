@@ -39,6 +39,7 @@ class StoredCandidates {
   bool update(const ParticleStore &store, bool radii);
 
   bool kept() const { return kept_; }
+  bool moved() const { return moved_; }  // particles may have, since the index was built
   size_t count() const { return kept_ ? list_.count() : 0; }
 
   // While candidates are kept:
@@ -50,11 +51,12 @@ class StoredCandidates {
   // Do two points interact, decided on the caller's doubles?
   bool interact(uint32_t a, uint32_t b, const ParticleStore &store, const Overlap &overlap, int64_t &exact) const;
 
-  // Once particles have moved, they may lie outside the box that the index put them in. `image` of a ball as seen from
-  // particle p of the index becomes the image as seen from its own box. False if that is two boxes off, where the
-  // particle is out of reach or nearer through another image.
-  bool moved() const { return moved_; }
-  bool see(size_t p, Image &image, const ParticleStore &store) const;
+  // Particle p of the index lies whole edges of the cell away from where the caller has it: how many are taken off.
+  Shift boxes(size_t p, const ParticleStore &store) const;
+
+  // The cell becomes another one, if its deformation leaves something of the skin: then particles may move by what is
+  // left. False, and nothing has changed, if not, or if nothing is kept. The index must be given the cell, too.
+  bool keep_in(const Domain &domain);
 
  private:
   // One of its points is an image.
@@ -69,17 +71,17 @@ class StoredCandidates {
   void set_points(const ParticleStore &store);
   bool update_particles(const ParticleStore &store, bool radii);
   void update_images();
-  double place_of(size_t p, int axis, const ParticleStore &store) const;
   void find_points_of_slots();
   hg_pair slots_of(const hg_pair &candidate) const;
   size_t copy_image_candidates();
   void slots_to_points(size_t images);
-  void boxes_outside(size_t p, const ParticleStore &store, int *boxes) const;
-  bool see_from(const int *ball_boxes, size_t p, Image &image, const ParticleStore &store) const;
+  double start_place(size_t p, int axis) const;
 
   int threads_;
   const Index *index_ = nullptr;
   Interaction interaction_;
+  Domain collected_;  // where they were
+  double skin_ = 0;
   float room_ = 0;  // quanta that a particle may move and grow
   bool kept_ = false;
   bool moved_ = false;

@@ -31,9 +31,6 @@ FixedPoint FixedPoint::over(const Bounds &bounds, const Domain &domain, double l
   FixedPoint map;
   map.scale = scale_for(std::max(0.5 * least_extent, largest_half_extent(bounds, domain.dimension)), 30);
   map.set_axes(bounds, domain);
-  for (int axis = 0; axis < domain.dimension; axis++) {
-    if (domain.periodic[axis]) map.period[axis] = static_cast<int32_t>(std::nearbyint(map.length[axis] * map.scale));
-  }
   return map;
 }
 
@@ -47,9 +44,6 @@ FixedPoint FixedPoint::wrapping(const Bounds &bounds, const Domain &domain, doub
     }
   }
   map.set_axes(bounds, domain);
-  for (int axis = 0; axis < domain.dimension; axis++) {
-    if (domain.periodic[axis]) map.period[axis] = low_word(map.period_place(axis));
-  }
   return map;
 }
 
@@ -57,10 +51,18 @@ void FixedPoint::set_axes(const Bounds &bounds, const Domain &domain) {
   for (int axis = 0; axis < domain.dimension; axis++) {
     half_origin[axis] = 0.5 * bounds.min[axis];
     extent[axis] = (0.5 * bounds.max[axis] - half_origin[axis]) * (2 * scale);
-    if (!domain.periodic[axis]) continue;
-    box_min[axis] = domain.box_min[axis];
-    length[axis] = domain.length[axis];
+    if (domain.periodic[axis]) box_min[axis] = domain.box_min[axis];
   }
+  set_cell(domain);
+}
+
+void FixedPoint::set_cell(const Domain &domain) {
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    length[axis] = domain.period(axis);
+    period[axis] = low_word(period_place(axis));
+  }
+  for (int k = 0; k < 3; k++) tilt[k] = domain.tilt[k];
+  tilted = domain.is_tilted();
 }
 
 }  // namespace hg

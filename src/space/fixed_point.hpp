@@ -8,6 +8,7 @@
 #include "src/exact/domain.hpp"
 #include "src/space/bounds.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -54,6 +55,9 @@ static inline double boxes_back(double moved, double period) {
   return moved > 0.5 * period ? -1.0 : (moved < -0.5 * period ? 1.0 : 0.0);
 }
 
+// The same where it may take several.
+static inline double edges_back(double moved, double period) { return -std::floor(moved / period + 0.5); }
+
 // Plain numbers, for the kernels too.
 struct FixedPoint {
   double scale = 1;                   // quanta per length: a power of two, so scaling rounds nothing
@@ -61,7 +65,9 @@ struct FixedPoint {
   double extent[3] = {0, 0, 0};       // in quanta
   double box_min[3] = {0, 0, 0};
   double length[3] = {0, 0, 0};   // of the box; 0 on open axes
-  int32_t period[3] = {0, 0, 0};  // the same in quanta, rounded
+  double tilt[3] = {0, 0, 0};     // as in Domain
+  bool tilted = false;            // one of them is not 0
+  int32_t period[3] = {0, 0, 0};  // the lengths in quanta, rounded
 
   // `least_extent`: a length that must be well resolved even if the centres coincide; finite.
   static FixedPoint over(const Bounds &bounds, const Domain &domain, double least_extent);
@@ -72,16 +78,28 @@ struct FixedPoint {
   // box.
   static FixedPoint wrapping(const Bounds &bounds, const Domain &domain, double largest, double most_wraps);
 
+  // The cell is another one from now on; the scale and the box that coordinates are counted from stay.
+  void set_cell(const Domain &domain);
+
   double quanta(int axis, double position) const { return to_quanta(position, half_origin[axis], scale); }
-  double quanta_of_center(int axis, double center) const {
-    return quanta(axis, length[axis] > 0 ? place_in_box(center, box_min[axis], length[axis]) : center);
+  // Of a centre: where it lies in the box.
+  void find_quanta(const double *center, int dimension, double *quanta_of) const {
+    double boxes[3];
+    for (int axis = 0; axis < dimension; axis++) quanta_of[axis] = center[axis] - box_min[axis];
+    take_into_box(quanta_of, boxes, length, tilt, dimension);
+    for (int axis = 0; axis < dimension; axis++) quanta_of[axis] = quanta(axis, quanta_of[axis]);
   }
   // Of a centre within the bounds: at most one quantum off.
-  int32_t coordinate(int axis, double center) const {
-    return floor_within(quanta_of_center(axis, center), 0, kFixedPointQuanta - 1);
+  void find_coordinates(const double *center, int dimension, int32_t *x) const {
+    double quanta_of[3];
+    find_quanta(center, dimension, quanta_of);
+    for (int axis = 0; axis < dimension; axis++) x[axis] = floor_within(quanta_of[axis], 0, kFixedPointQuanta - 1);
   }
-  // Of a map that wraps: whole quanta, of which the coordinate is the lowest 32 bits.
-  double place(int axis, double center) const { return to_whole(quanta_of_center(axis, center)); }
+  // Of a map that wraps: whole quanta, of which the coordinates are the lowest 32 bits.
+  void find_place(const double *center, int dimension, double *place) const {
+    find_quanta(center, dimension, place);
+    for (int axis = 0; axis < dimension; axis++) place[axis] = to_whole(place[axis]);
+  }
   // Of a map that wraps: a period as a place, of which period[axis] are the lowest 32 bits.
   double period_place(int axis) const { return to_whole(length[axis] * scale); }
 

@@ -16,6 +16,25 @@ inline mpz_class floor_of(const mpq_class &x) {
   return quotient;
 }
 
+// What a map makes of a centre on one axis, where no tilt moves it: quanta, the place, the coordinate.
+template <class Found, class Find>
+Found on_axis(int axis, double center, Find &&find) {
+  double x[3] = {0, 0, 0};
+  Found found[3];
+  x[axis] = center;
+  find(x, found);
+  return found[axis];
+}
+inline double quanta_of(const hg::FixedPoint &map, int axis, double center) {
+  return on_axis<double>(axis, center, [&](const double *x, double *found) { map.find_quanta(x, 3, found); });
+}
+inline double place_of(const hg::FixedPoint &map, int axis, double center) {
+  return on_axis<double>(axis, center, [&](const double *x, double *found) { map.find_place(x, 3, found); });
+}
+inline int32_t coordinate_of(const hg::FixedPoint &map, int axis, double center) {
+  return on_axis<int32_t>(axis, center, [&](const double *x, int32_t *found) { map.find_coordinates(x, 3, found); });
+}
+
 // Coordinates are rounded down, after an error of rounding, or of wrapping where the axis is periodic
 // (docs/theory/exactness.md).
 inline mpq_class place_slack(const hg::Domain &domain, int axis) {

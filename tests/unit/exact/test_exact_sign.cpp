@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// exact_less() against rational numbers: all exponents, cancelling sums, exact ties.
+// exact_order() against rational numbers: all exponents, cancelling sums, exact ties.
 #include "src/exact/exact_sign.hpp"
 #include "tests/unit/checks.hpp"
 
@@ -12,7 +12,7 @@
 namespace {
 
 using namespace hgtest;
-using hg::exact_less;
+using hg::exact_order;
 using hg::ExactSum;
 
 constexpr double kLargest = std::numeric_limits<double>::max();
@@ -26,15 +26,16 @@ mpq_class rational(const ExactSum &sum) {
   return total;
 }
 
-bool rational_less(const ExactSum *difference, int dimension, const ExactSum &reach) {
+int rational_order(const ExactSum *difference, int dimension, const ExactSum &reach) {
   mpq_class squares = 0;
   for (int axis = 0; axis < dimension; axis++) squares += rational(difference[axis]) * rational(difference[axis]);
-  return squares < rational(reach) * rational(reach);
+  const int order = cmp(squares, mpq_class(rational(reach) * rational(reach)));
+  return order < 0 ? -1 : (order > 0 ? 1 : 0);
 }
 
 void compare(const char *what, const ExactSum *difference, int dimension, const ExactSum &reach) {
-  const bool expected = rational_less(difference, dimension, reach);
-  require(exact_less(difference, dimension, reach) == expected, "%s: in %dD the answer must be %d", what, dimension,
+  const int expected = rational_order(difference, dimension, reach);
+  require(exact_order(difference, dimension, reach) == expected, "%s: in %dD the answer must be %d", what, dimension,
           expected);
 }
 
@@ -115,12 +116,12 @@ void check_ties(uint64_t seed) {
   ExactSum difference[3];
   for (int axis = 0; axis < 3; axis++) difference[axis] = cancelling_sum(rng, scale * tuple[axis], any_double(rng));
   const ExactSum tie = cancelling_sum(rng, scale * tuple[3], any_double(rng));
-  require(!exact_less(difference, dimension, tie), "a tie counts as less");
+  require(exact_order(difference, dimension, tie) == 0, "a tie is not seen");
   ExactSum more = tie, less = tie;
   more.add(kTiniest, 1);
   less.add(kTiniest, -1);
-  require(exact_less(difference, dimension, more), "the tiniest number more is not seen");
-  require(!exact_less(difference, dimension, less), "the tiniest number less counts as less");
+  require(exact_order(difference, dimension, more) < 0, "the tiniest number more is not seen");
+  require(exact_order(difference, dimension, less) > 0, "the tiniest number less is not seen");
 }
 
 // The reach is the distance rounded, or a few units in the last place beside it.
@@ -165,9 +166,9 @@ void nothing_is_less_than_zero(void **) {
   ExactSum zero[3], reach;
   for (ExactSum &d : zero) d.add(0.0, 1);
   reach.add(-0.0, 1);
-  assert_false(exact_less(zero, 3, reach));
+  assert_int_equal(exact_order(zero, 3, reach), 0);
   reach.add(kTiniest, 1);
-  assert_true(exact_less(zero, 3, reach));
+  assert_true(exact_order(zero, 3, reach) < 0);
 }
 
 // A term that counts zero times may be of any size.
@@ -177,11 +178,11 @@ void factor_zero(void **) {
   difference[0].add(kTiniest, 0);
   difference[1].add(kLargest, 0);
   reach.add(1.0, 1);
-  const bool tie = exact_less(difference, 2, reach);
+  const int tie = exact_order(difference, 2, reach);
   reach.add(0x1p-52, 1);
-  const bool more = exact_less(difference, 2, reach);
-  assert_false(tie);
-  assert_true(more);
+  const int more = exact_order(difference, 2, reach);
+  assert_int_equal(tie, 0);
+  assert_int_equal(more, -1);
 }
 
 }  // namespace

@@ -28,12 +28,18 @@ struct Case {
   Interaction interaction;
   double a[3] = {0, 0, 0}, b[3] = {0, 0, 0};
   double ra = 0, rb = 0;
-  Image image = hg::kNoImage;
+  Image image = hg::make_image(0, 0, 0);
 };
+
+// Of a as the caller has it, if its place in the box is moved by the image.
+hg::Shift shift_of(const Case &c) {
+  const hg::Shift step{{hg::image_step(c.image, 0), hg::image_step(c.image, 1), hg::image_step(c.image, 2)}};
+  return step + c.domain.boxes(c.b) - c.domain.boxes(c.a);
+}
 
 bool decide(const Case &c, int32_t accuracy, int64_t *exact = nullptr) {
   int64_t count = 0;
-  const bool answer = Overlap(c.interaction, accuracy, c.domain).holds({c.a, c.ra}, {c.b, c.rb}, c.image, count);
+  const bool answer = Overlap(c.interaction, accuracy, c.domain).holds({c.a, c.ra}, {c.b, c.rb}, shift_of(c), count);
   if (exact != nullptr) *exact = count;
   return answer;
 }
@@ -43,9 +49,7 @@ mpq_class rational_square(const Case &c) {
   for (int axis = 0; axis < c.domain.dimension; axis++) {
     mpq_class d = mpq_class(c.a[axis]) - mpq_class(c.b[axis]);
     if (c.domain.periodic[axis]) {
-      const double boxes =
-          hg::image_step(c.image, axis) + c.domain.wraps(axis, c.b[axis]) - c.domain.wraps(axis, c.a[axis]);
-      d += mpq_class(boxes) * (mpq_class(c.domain.box_max[axis]) - mpq_class(c.domain.box_min[axis]));
+      d += shift_of(c).n[axis] * (mpq_class(c.domain.box_max[axis]) - mpq_class(c.domain.box_min[axis]));
     }
     sum += d * d;
   }

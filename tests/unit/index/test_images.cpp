@@ -6,6 +6,7 @@
 #include "src/particles/bounds.hpp"
 #include "tests/unit/checks.hpp"
 #include "tests/unit/domains.hpp"
+#include "tests/unit/exact_place.hpp"
 #include "tests/unit/stores.hpp"
 
 #include <cmath>
@@ -95,7 +96,7 @@ class Scene {
     for (uint32_t i = level.image_begin; i < level.image_end; i++) {
       const Key key(index_.images.slot[i], index_.images.image[i]);
       require(found_.insert(key).second, "slot %u has image %d twice", key.first, key.second);
-      require(key.second != hg::kNoImage, "slot %u is its own image", key.first);
+      require(key.second != hg::kImages / 2, "slot %u is its own image", key.first);
       require(is_forward(key.second) == (i < level.image_forward_end), "image %d is on the wrong side", key.second);
       at_[key] = i;
     }
@@ -104,7 +105,7 @@ class Scene {
   // Where the search has the particle, and how long the box is, in quanta.
   double place(int axis, uint32_t particle) const {
     if (!index_.chunked) return index_.particles.column(axis)[particle];
-    return index_.map.place(axis, store_.center(index_.particles.slot[particle])[axis]);
+    return place_of(index_.map, axis, store_.center(index_.particles.slot[particle])[axis]);
   }
   double period(int axis) const { return index_.chunked ? index_.map.period_place(axis) : index_.map.period[axis]; }
 
@@ -121,7 +122,7 @@ class Scene {
     size_t images = 0;
     for (uint32_t i = level.begin; i < level.end; i++) {
       for (hg::Image image = 0; image < 27; image++) {
-        bool must = image != hg::kNoImage && (some_finer || is_forward(image)), may = must;
+        bool must = image != hg::kImages / 2 && (some_finer || is_forward(image)), may = must;
         for (int axis = 0; axis < 3; axis++) {
           const int step = hg::image_step(image, axis);
           must = must && reaches(axis, i, step, reach + 4);

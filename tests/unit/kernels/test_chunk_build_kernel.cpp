@@ -3,6 +3,7 @@
 // The build kernels of chunks, of every instruction set that this machine runs: the key of each particle by whole
 // numbers, and its point. Parts of the particles, full blocks or not.
 #include "tests/unit/checks.hpp"
+#include "tests/unit/exact_place.hpp"
 #include "tests/unit/kernels/any_space.hpp"
 #include "tests/unit/kernels/block_counts.hpp"
 #include "tests/unit/kernels/kernel_sets.hpp"
@@ -84,7 +85,7 @@ class Scene {
   int dimension() const { return space_.domain.dimension; }
   int64_t place(size_t slot, int axis) const {
     const double center = centers_[slot * static_cast<size_t>(dimension()) + static_cast<size_t>(axis)];
-    return static_cast<int64_t>(map_.place(axis, center));  // held against rational numbers in test_fixed_point.cpp
+    return static_cast<int64_t>(place_of(map_, axis, center));  // held against rational numbers in test_fixed_point.cpp
   }
   size_t level_of(double radius) const {
     size_t h = 0;

@@ -28,8 +28,8 @@ class FarMotion {
       for (size_t p = 0; p < count; p++) {
         const auto a = static_cast<int>(axis);
         starts_[p * points_.dimension + axis] = points_.center(p, axis) = space_.any_center(rng_, a);
-        points_.place[axis][p] = points_.map.quanta_of_center(a, points_.center(p, axis));
-        points_.x[axis][p] = hg::low_word(points_.map.place(a, points_.center(p, axis)));
+        points_.place[axis][p] = quanta_of(points_.map, a, points_.center(p, axis));
+        points_.x[axis][p] = hg::low_word(place_of(points_.map, a, points_.center(p, axis)));
       }
     }
   }

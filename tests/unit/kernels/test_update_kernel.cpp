@@ -29,7 +29,7 @@ class AnyMotion {
     for (size_t p = 0; p < count; p++) {
       for (size_t axis = 0; axis < points_.dimension; axis++) {
         points_.center(p, axis) = space_.any_center(rng_, static_cast<int>(axis));
-        points_.x[axis][p] = space_.map.coordinate(static_cast<int>(axis), points_.center(p, axis));
+        points_.x[axis][p] = coordinate_of(space_.map, static_cast<int>(axis), points_.center(p, axis));
       }
       points_.radius_now(p) = quantum * std::pow(2, rng_.uniform(0, 28));
       points_.radius[p] = static_cast<float>((points_.radius_now(p) + points_.extra_wide) * space_.map.scale);

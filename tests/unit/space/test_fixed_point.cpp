@@ -45,7 +45,7 @@ void require_map(const Scene &scene) {
             map.extent[axis]);
     const mpq_class low(scene.bounds.min[axis]), scale(map.scale);
     for (double x : scene.points[axis]) {
-      const int32_t c = map.coordinate(axis, x);
+      const int32_t c = coordinate_of(map, axis, x);
       require(c >= 0 && c < 1 << 30, "coordinate %d of %a", c, x);
       const mpq_class error = (mpq_class(x) - low) * scale - c;
       require(is_floor(error, place_slack(scene.domain, axis)),
@@ -127,7 +127,7 @@ void check_monotone(uint64_t seed) {
   std::vector<double> x = scene.points[0];
   std::sort(x.begin(), x.end());
   for (size_t i = 1; i < x.size(); i++) {
-    require(map.coordinate(0, x[i - 1]) <= map.coordinate(0, x[i]), "%a comes after %a", x[i - 1], x[i]);
+    require(coordinate_of(map, 0, x[i - 1]) <= coordinate_of(map, 0, x[i]), "%a comes after %a", x[i - 1], x[i]);
   }
 }
 
@@ -155,7 +155,7 @@ void check_periodic(uint64_t seed) {
     for (int i = 0; i < 20; i++) {
       const double far = domain.periodic[axis] ? rng.integer(-1000000, 1000000) * (rng.chance(0.5) ? 1 : 1e-6) : 0;
       const double x = low + ((rng.chance(0.3) ? 0 : rng.uniform()) + std::rint(far)) * length;
-      const int32_t c = map.coordinate(axis, x);
+      const int32_t c = coordinate_of(map, axis, x);
       require(c >= 0 && c < 1 << 30, "coordinate %d of %a", c, x);
       require_place(map, domain, axis, x, c);
     }
@@ -229,7 +229,7 @@ void check_period(const WrappingScene &scene, const FixedPoint &map, int axis) {
 
 // A place is whole, near the exact one, and its lowest bits are the coordinate.
 void check_place(Rng &rng, const WrappingScene &scene, const FixedPoint &map, int axis) {
-  const double x = scene.any_center(rng, axis), place = map.place(axis, x);
+  const double x = scene.any_center(rng, axis), place = place_of(map, axis, x);
   require(place == std::rint(place) && place >= 0 && place <= 0x1p46, "axis %d: %a is at %g", axis, x, place);
   const Domain &domain = scene.domain;
   const mpq_class low(domain.periodic[axis] ? domain.box_min[axis] : scene.bounds.min[axis]);

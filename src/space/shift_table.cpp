@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/space/shift_table.hpp"
+
+#include "src/space/shifts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hg {
+namespace {
+
+// Wider than what the search allows for, in quanta and in parts of the reach.
+constexpr double kSlack = 4096, kScale = 1 + 0x1p-16;
+
+int32_t lowest_bits(double whole) { return static_cast<int32_t>(static_cast<uint32_t>(static_cast<int64_t>(whole))); }
+
+bool fits_one_step(const Domain &domain, double reach) {
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    if (domain.periodic[axis] && !(reach < domain.length[axis])) return false;
+  }
+  return !domain.is_tilted();
+}
+
+// The last edge that is taken at all is taken forward.
+bool is_forward(const Shift &shift) {
+  for (int axis = 2; axis >= 0; axis--) {
+    if (shift.n[axis] != 0) return shift.n[axis] > 0;
+  }
+  return false;
+}
+
+}  // namespace
+
+void ShiftTable::list(const Domain &domain, const FixedPoint &map, double reach) {
+  steps_by_one_ = fits_one_step(domain, reach * (1 + 0x1p-40));
+  if (steps_by_one_) {
+    list_steps();
+  } else {
+    list_near(domain, reach * kScale + kSlack / map.scale);
+  }
+  set_cell(domain, map);
+}
+
+// The forward ones first, so that each has its opposite however borders are rounded.
+void ShiftTable::list_near(const Domain &domain, double reach) {
+  PlaceBox box, around;
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    box.high[axis] = domain.length[axis];
+    around.low[axis] = -reach;
+    around.high[axis] = domain.length[axis] + reach;
+  }
+  Image forward = 0;
+  visit_shifts(domain, box, around, [&](const Shift &shift) {
+    if (!is_forward(shift)) return;
+    shift_.grow(forward + 1);
+    shift_[forward++] = shift;
+  });
+  count_ = 2 * forward + 1;
+  shift_.grow(count_);
+  std::copy_backward(shift_.data(), shift_.data() + forward, shift_.data() + count_);
+  shift_[middle()] = Shift{};
+  for (Image image = 0; image < middle(); image++) shift_[image] = Shift{} - shift_[count_ - 1 - image];
+}
+
+void ShiftTable::list_steps() {
+  count_ = kImages;
+  shift_.require_room(kImages);
+  for (Image image = 0; image < kImages; image++) {
+    shift_[image] = {{image_step(image, 0), image_step(image, 1), image_step(image, 2)}};
+  }
+}
+
+// Opposite shifts get opposite numbers in any rounding mode.
+void ShiftTable::set_cell(const Domain &domain, const FixedPoint &map) {
+  quanta_.require_room(count_);
+  for (Image forward = middle(); forward < count_; forward++) {
+    const Image backward = count_ - 1 - forward;
+    for (int axis = 0; axis < 3; axis++) {
+      const double place = axis < domain.dimension ? std::nearbyint(domain.shifted(axis, shift_[forward]) * map.scale) : 0;
+      quanta_[forward].place[axis] = place;
+      quanta_[forward].coordinate[axis] = lowest_bits(place);
+      quanta_[backward].place[axis] = -place;
+      quanta_[backward].coordinate[axis] = lowest_bits(-place);
+    }
+  }
+}
+
+double most_shifts(const Domain &domain, double reach) {
+  double most = 1;
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    if (domain.periodic[axis]) most *= 2 * (2 + reach / domain.length[axis]) + 1;
+  }
+  return most;
+}
+
+}  // namespace hg
