@@ -5,6 +5,8 @@
 #include "tests/support/failing_alloc.h"
 #include "tests/support/fixture.h"
 
+#include <string.h>
+
 TEST(ids_go_on_counting) {
   const double near_ends[6] = {-1, 0, 0, CHAIN_COUNT, 0, 0};
   const double radii[2] = {0.6, 0.6};
@@ -136,9 +138,10 @@ TEST(touching_is_no_pair) {
   hg_destroy(grid);
 }
 
+/* The two largest radii tell whether a pair could meet twice: one giant alone cannot. */
 TEST(box_shorter_than_two_reaches) {
   const double centers[6] = {0.1, 0, 0, 0.2, 0, 0};
-  const double radii[2] = {0.25, 0.26};
+  const double radii[2] = {0.25, 0.26}, giant = 3;
   const hg_pair expected[1] = {{0, 1}};
   int32_t interaction;
   for (interaction = HG_CONTACT; interaction <= HG_MAX_RANGE; ++interaction) {
@@ -150,18 +153,37 @@ TEST(box_shorter_than_two_reaches) {
     assert_pairs(grid, NULL, 0);
     assert_ok(hg_insert(grid, 1, centers + 3, radii));
     assert_pairs(grid, expected, 1);
+    assert_ok(hg_clear(grid));
+    assert_ok(hg_insert(grid, 1, centers, &giant));
+    assert_pairs(grid, NULL, 0);
+    assert_status(HG_ERR_ARGUMENT, hg_insert(grid, 1, centers + 3, radii));
     hg_destroy(grid);
   }
 }
 
+/* A giant that leaves its neighbours' images apart is fine: 2 (0.375 + 0.125) is not longer than the box. */
+TEST(one_giant_in_a_short_box) {
+  const double centers[6] = {0.1, 0, 0, 0.55, 0, 0};
+  const double radii[2] = {0.375, 0.125}, more = 0.126;
+  const hg_pair expected[1] = {{0, 1}};
+  hg_grid_def def = periodic_axis(0, 1);
+  hg_grid *grid = make_grid(&def, 2, centers, radii);
+  assert_pairs(grid, expected, 1);
+  assert_status(HG_ERR_ARGUMENT, hg_insert(grid, 1, centers, &more));
+  assert_non_null(strstr(hg_last_error(), "particles 0 and 2"));
+  assert_ok(hg_remove(grid, 1, &expected[0].a));
+  assert_ok(hg_insert(grid, 1, centers, &more));
+  hg_destroy(grid);
+}
+
 /* The margin belongs to the reach. */
 TEST(margin_makes_the_box_too_short) {
-  const double center[3] = {0, 0, 0}, radius = 0.25;
+  const double centers[6] = {0, 0, 0, 0, 0, 0.5}, radii[2] = {0.25, 0.25};
   hg_grid_def def = periodic_axis(2, 1);
   hg_grid *grid;
   def.margin = 0.01;
   grid = make_empty(&def);
-  assert_status(HG_ERR_ARGUMENT, hg_insert(grid, 1, center, &radius));
+  assert_status(HG_ERR_ARGUMENT, hg_insert(grid, 2, centers, radii));
   hg_destroy(grid);
 }
 
@@ -241,6 +263,7 @@ int main(void) {
                                      cmocka_unit_test(radius_zero_is_a_point),
                                      cmocka_unit_test(touching_is_no_pair),
                                      cmocka_unit_test(box_shorter_than_two_reaches),
+                                     cmocka_unit_test(one_giant_in_a_short_box),
                                      cmocka_unit_test(margin_makes_the_box_too_short),
                                      cmocka_unit_test(beyond_the_last_user_cell),
                                      cmocka_unit_test(too_far_outside_a_periodic_box),

@@ -113,7 +113,7 @@ TEST(bad_values_change_nothing) {
 }
 
 TEST(growth_beyond_the_box_is_refused) {
-  const double grown[4] = {0.6, 0.6, 0.6, 8};
+  const double grown[4] = {0.6, 0.6, 0.6, 9.5};
   const hg_grid_def def = periodic_axis(0, 20);
   hg_grid *grid = make_start(&def);
   assert_status(HG_ERR_ARGUMENT, hg_move(grid, 4, kMoved, grown));

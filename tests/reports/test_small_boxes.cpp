@@ -91,7 +91,6 @@ void boxes_too_short_are_refused(void **) {
         named("zerothi/sisl 706", periodic(within(1.1, {{0, 0, 0}, {3, 0, 0}}), {2, 10, 10})),
         named("Luthaf/vesin 153", periodic(within(15, {{0, 5, 0}, {4, 0, 0}}), {8, 9, 0})),
         named("wexlergroup/FreeBird.jl 150", crystal(2.1, {1, 1, 10}, {{0, 0, 0}}, {4, 4, 1})),
-        named("metatensor/featomic 240", periodic(within(0.6, {{0, 0, 0}}), {0.5, 0.5, 0.5})),
         named("apax-hub/apax 121", periodic(within(6, cloud(7, 20, {0, 0, 0}, {9, 9, 9})), {9, 9, 9}))};
     for (const System &system : systems) {
       const Particles particles = spheres(system.centers, system.cutoff / 2);

@@ -211,11 +211,13 @@ void check_periodic_limits(uint64_t) {
   const double far[3] = {1 + 2 * hg::kMaxWraps + 2.5, 0, 0}, edge[3] = {1 + 2 * hg::kMaxWraps + 0.5, 0, 0};
   const double fits = 0.375, too_large = std::nextafter(0.375, 1);
   require_refused("wraps", HG_ERR_LIMIT, "centers[0][0]", [&] { store.insert(1, far, &fits); });
-  require_refused("box", HG_ERR_ARGUMENT, "radii[0]", [&] { store.insert(1, edge, &too_large); });
   store.insert(1, edge, &fits);
-  require(store.live_count() == 1, "a box of twice the reach is long enough");
+  require_refused("box", HG_ERR_ARGUMENT, "particles 1 and 0", [&] { store.insert(1, edge, &too_large); });
   require_refused("wraps", HG_ERR_LIMIT, "centers[0][0]", [&] { store.move(1, far, nullptr); });
-  require_refused("box", HG_ERR_ARGUMENT, "radii[0]", [&] { store.move(1, edge, &too_large); });
+  store.insert(1, edge, &fits);
+  require(store.live_count() == 2, "a box of twice the reach is long enough");
+  const double two[6] = {edge[0], 0, 0, edge[0], 0, 0}, grown[2] = {fits, too_large};
+  require_refused("box", HG_ERR_ARGUMENT, "particles 1 and 0", [&] { store.move(2, two, grown); });
 }
 
 void periodic_limits(void **) { assert_true(holds(0, check_periodic_limits)); }
@@ -223,19 +225,19 @@ void periodic_limits(void **) { assert_true(holds(0, check_periodic_limits)); }
 // Whether a box is shorter than twice the reach is a question about real numbers, not rounded ones.
 void check_box_exactly(uint64_t) {
   Memory memory(hg::system_allocator());
-  const double origin[3] = {0, 0, 0};
+  const double origin[6] = {0, 0, 0, 0, 0, 0};
   // 0.2 + 0.2 + 0.1 rounds to 0.5 but is more.
   ParticleStore sum = make_store(memory, periodic_x(0, 1), Interaction{HG_CONTACT, 0.1});
-  const double r = 0.2;
-  require_refused("sum", HG_ERR_ARGUMENT, "radii[0]", [&] { sum.insert(1, origin, &r); });
+  const double r[2] = {0.2, 0.2};
+  require_refused("sum", HG_ERR_ARGUMENT, "particles 0 and 1", [&] { sum.insert(2, origin, r); });
   // 1 - 2^-55 rounds to 1 but is less.
   ParticleStore length = make_store(memory, periodic_x(0x1p-55, 1));
-  const double quarter = 0.25, less = std::nextafter(0.25, 0);
-  require_refused("length", HG_ERR_ARGUMENT, "radii[0]", [&] { length.insert(1, origin, &quarter); });
-  length.insert(1, origin, &less);
+  const double quarter[2] = {0.25, 0.25}, less[2] = {0.25, std::nextafter(0.25, 0)};
+  require_refused("length", HG_ERR_ARGUMENT, "particles 0 and 1", [&] { length.insert(2, origin, quarter); });
+  length.insert(2, origin, less);
   ParticleStore range = make_store(memory, periodic_x(0, 1), Interaction{HG_MAX_RANGE, 0.25});
-  range.insert(1, origin, &quarter);
-  require(length.live_count() == 1 && range.live_count() == 1, "boxes that are just long enough");
+  range.insert(2, origin, quarter);
+  require(length.live_count() == 2 && range.live_count() == 2, "boxes that are just long enough");
 }
 
 void box_exactly(void **) { assert_true(holds(0, check_box_exactly)); }
