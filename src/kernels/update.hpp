@@ -106,7 +106,7 @@ class UpdateBlock {
 
   // The same in doubles: where coordinates wrap and so do not tell how far a particle has moved, and where whole edges
   // of a tilted cell lead back to the nearest image.
-  void update_places(size_t at, size_t count) {
+  __attribute__((noinline)) void update_places(size_t at, size_t count) {
     const FixedPoint &map = input_.map;
     for (int axis = D - 1; axis >= 0; axis--) {
       double(&position)[kUpdateBlock] = position_[axis];
