@@ -36,8 +36,8 @@ HG_API void hg_destroy(hg_grid *grid);
  * Errors: HG_ERR_NULL; HG_ERR_ARGUMENT: NaN, infinity or a negative radius; with HG_NEAREST_IMAGE a periodic cell so
  * short that two particles could meet twice: its shortest lattice vector is shorter than 2 (r1 + r2 + margin), r1 and
  * r2 the two largest radii in the grid (HG_MAX_RANGE: 2 (r1 + margin)); a diameter beyond the last cell of
- * HG_LEVELS_USER; HG_ERR_LIMIT: ids would pass 2^31 - 1, a particle lies more than 2^20 cells outside the periodic one,
- * or HG_ALL_IMAGES with a reach of too many cells; HG_ERR_MEMORY. All or nothing.
+ * HG_LEVELS_USER; HG_ERR_LIMIT: ids would pass 2^31 - 1, a particle lies more than 2^20 box lengths (2^19 with a tilt)
+ * outside a periodic axis, or reaches across more than 2^22 cells; HG_ERR_MEMORY. All or nothing.
  * Complexity: O(count) amortised. */
 HG_API hg_status hg_insert(hg_grid *grid, size_t count, const double *centers, const double *radii);
 

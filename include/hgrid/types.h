@@ -90,8 +90,8 @@ typedef struct hg_grid_def {
   double row_price;   /* looking at a row of a finer level (-1) */
   /* Periodic cells need not be right-angled: their edges are a = (lx, 0, 0), b = (xy, ly, 0) and c = (xz, yz, lz) with
      l = box_max - box_min (LAMMPS's convention). */
-  double tilt[3];   /* xy, xz, yz; only xy in 2D. One that is not 0 needs both of its axes periodic, and is at most 2^20
-                       lengths of the first (0, 0, 0) */
+  double tilt[3];   /* xy, xz, yz; only xy in 2D. One that is not 0 needs both of its axes periodic, and is at most 2^19
+                       lengths of the box along the first (0, 0, 0) */
   int32_t touching; /* 1: particles that touch exactly are a pair, too: <= in place of < (0) */
   int32_t images;   /* HG_NEAREST_IMAGE or HG_ALL_IMAGES (HG_NEAREST_IMAGE) */
 } hg_grid_def;

@@ -50,7 +50,8 @@ inline constexpr int kTiltOf[3][3] = {{-1, -1, -1}, {0, -1, -1}, {1, 2, -1}};
 // Takes a place `above` the low faces of the periodic cell, whose edges are (lx, 0, 0), (xy, ly, 0) and (xz, yz, lz),
 // to its place in the box: whole edges are taken off from the last to the first, so that each may move what is left on
 // the axes before it. `boxes` become their numbers. Lengths are 0 on open axes, which stay as they are.
-static inline void take_into_box(double *above, double *boxes, const double *length, const double *tilt, int dimension) {
+static inline void take_into_box(double *above, double *boxes, const double *length, const double *tilt,
+                                 int dimension) {
   for (int axis = dimension - 1; axis >= 0; axis--) {
     boxes[axis] = 0;
     if (!(length[axis] > 0)) continue;
@@ -82,12 +83,10 @@ struct Domain {
   double period(int axis) const { return periodic[axis] ? length[axis] : 0; }
 
   // How many box lengths x lies above the box, on an axis that no tilt moves.
-  double wraps(int axis, double x) const {
-    return periodic[axis] ? boxes_above(x - box_min[axis], length[axis]) : 0;
-  }
+  double wraps(int axis, double x) const { return periodic[axis] ? boxes_above(x - box_min[axis], length[axis]) : 0; }
 
-  // How far outside the box a centre lies, and on which axis: the most box lengths that take_in takes off, tilts counted
-  // as they come. Up to most_outside() is allowed.
+  // How far outside the box a centre lies, and on which axis: the most box lengths that take_in takes off, tilts
+  // counted as they come. Up to most_outside() is allowed.
   struct Outside {
     int axis;
     double boxes;

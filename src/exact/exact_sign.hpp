@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares a sum of squares with a square in real arithmetic on doubles. Integers only: no rounding, no overflow, no underflow,
-// whatever the compiler, the rounding mode or the host's flush-to-zero setting.
+// Compares a sum of squares with a square in real arithmetic on doubles. Integers only: no rounding, no overflow, no
+// underflow, whatever the compiler, the rounding mode or the host's flush-to-zero setting.
 #pragma once
 
 #include <cstdint>

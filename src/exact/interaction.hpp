@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// When two particles interact: |xi - xj| < base(ri, rj) + margin, or <= if touching counts. A rule is one type that says what `base` is, to the
-// kernels, to the predicate in double and in exact arithmetic, and to the choice of levels. A new rule is a type here
-// and its place in InteractionRules.
+// When two particles interact: |xi - xj| < base(ri, rj) + margin, or <= if touching counts. A rule is one type that
+// says what `base` is, to the kernels, to the predicate in double and in exact arithmetic, and to the choice of levels.
+// A new rule is a type here and its place in InteractionRules.
 #pragma once
 
 #include "src/base/ordered_bits.hpp"

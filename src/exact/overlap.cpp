@@ -21,8 +21,8 @@ constexpr double kWrapError = 0x1p-50;
 // Between these, no square that matters loses bits to underflow or overflows.
 constexpr double kSafeSquareMin = 1e-280, kSafeSquareMax = 1e300;
 
-// What tells two images apart that are nearly as far from a particle, relative to the cell.
-constexpr double kNearlySame = 0x1p-20;
+// A difference on one axis, of particles as far outside the box as they may be, is off by less than that many lengths.
+constexpr double kBoxError = 0x1p-28;
 
 // The order of shifts: by x, then y, then z.
 bool is_backward(const Shift &shift) {
@@ -37,6 +37,8 @@ bool is_backward(const Shift &shift) {
 void Overlap::set_domain(const Domain &domain) {
   domain_ = domain;
   short_ = find_short_vectors(domain);
+  rounding_ = 0;
+  for (int axis = 0; axis < domain.dimension; axis++) rounding_ += kBoxError * domain.period(axis);
 }
 
 bool Overlap::is_pair(const Ball &a, const Ball &b, const Shift &shift, int64_t &exact) const {
@@ -83,7 +85,7 @@ bool Overlap::holds_exactly(const Ball &a, const Ball &b, const Shift &shift) co
 bool Overlap::comes_second(const Ball &a, const Ball &b, const Shift &shift, int64_t &exact) const {
   if (domain_.all_images || (accuracy_ != HG_DOUBLE && !interaction_.touching)) return false;
   const double reach = interaction_.reach(a.radius, b.radius);
-  if (!(2 * reach * (1 + kNearlySame) >= short_.shortest)) return false;
+  if (!(2 * reach * (1 + 0x1p-20) + rounding_ >= short_.shortest)) return false;
   for (int k = 0; k < 2 * short_.count; k++) {
     const Shift step = k % 2 == 0 ? short_.shift[k / 2] : Shift{} - short_.shift[k / 2];
     const bool a_is_later = std::less<>{}(b.center, a.center);

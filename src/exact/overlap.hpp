@@ -44,6 +44,7 @@ class Overlap {
   int32_t accuracy_;
   Domain domain_;
   ShortVectors short_;
+  double rounding_ = 0;  // of what HG_DOUBLE computes across the box, for two images together
 };
 
 }  // namespace hg

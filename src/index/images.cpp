@@ -10,7 +10,7 @@
 namespace hg {
 namespace {
 
-constexpr uint32_t kTogether = 256;  // particles whose images are made together
+constexpr uint32_t kTogether = 256;                       // particles whose images are made together
 constexpr size_t kMostFound = kTogether * (kImages / 2);  // by steps of -1, 0 or 1, in one direction
 
 // Numbers of shifts.
@@ -47,7 +47,9 @@ class ImageBuilder {
   }
 
   // The largest reach of a particle towards its own and finer levels, and what the search allows for.
-  static float reach_of(const IndexLevel &level) { return 2 * level.cells.largest_radius * kSearchScale + kSearchSlack; }
+  static float reach_of(const IndexLevel &level) {
+    return 2 * level.cells.largest_radius * kSearchScale + kSearchSlack;
+  }
 
   // Images of the particles of a level, in the order of the particles.
   void add_by_steps(const IndexLevel &level, ImageSet wanted) {
@@ -140,9 +142,8 @@ class ImageBuilder {
     PointStore &to = index_.images;
     for (int axis = 0; axis < dimension_; axis++) {
       const int32_t *x = from.column(axis).data();
-      fill(to.column(axis), found, [&](PointImage image) {
-        return moved_by(x[image.point], 1, shifts_.coordinate(image.image, axis));
-      });
+      fill(to.column(axis), found,
+           [&](PointImage image) { return moved_by(x[image.point], 1, shifts_.coordinate(image.image, axis)); });
     }
     fill(to.radius, found, [&](PointImage image) { return from.radius[image.point]; });
     fill(to.slot, found, [&](PointImage image) { return from.slot[image.point]; });

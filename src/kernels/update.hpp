@@ -145,8 +145,8 @@ class UpdateBlock {
     }
     const double period = map.tilted ? map.length[axis] * map.scale : map.period_place(axis);
     for (size_t i = 0; i < kUpdateBlock; i++) {
-      edges_[axis][i] = map.tilted ? edges_back(position[i] - start[i], period)
-                                   : boxes_back(position[i] - start[i], period);
+      edges_[axis][i] =
+          map.tilted ? edges_back(position[i] - start[i], period) : boxes_back(position[i] - start[i], period);
       position[i] += period * edges_[axis][i];
     }
   }

@@ -31,7 +31,11 @@ void check_sphere(const Domain &domain, const Ball &sphere) {
 class SphereSearch {
  public:
   SphereSearch(const BuiltGrid &grid, const Ball &sphere, Buffer<int32_t> &ids)
-      : grid_(grid), index_(grid.index), sphere_(sphere), ids_(ids), boxes_(index_.domain.take_in(sphere.center, place_)) {}
+      : grid_(grid),
+        index_(grid.index),
+        sphere_(sphere),
+        ids_(ids),
+        boxes_(index_.domain.take_in(sphere.center, place_)) {}
 
   size_t run() {
     for (int h = 0; h < index_.level_count; h++) {
@@ -57,7 +61,8 @@ class SphereSearch {
       to.low[axis] = -around;
       to.high[axis] = index_.map.extent[axis] / index_.map.scale + around;
     }
-    visit_shifts(domain, from, to, [&](const Shift &shift) { search(h, search_box(domain, place_, shift, reach), shift); });
+    visit_shifts(domain, from, to,
+                 [&](const Shift &shift) { search(h, search_box(domain, place_, shift, reach), shift); });
   }
 
   // No particle is farther from its nearest image than half the diagonal of the box. Stored candidates may have left

@@ -269,8 +269,8 @@ bool StoredCandidates::interact(uint32_t a, uint32_t b, const ParticleStore &sto
   return overlap.is_pair(ball_b, ball_a, step + boxes(a, store) - boxes(original, store), exact);
 }
 
-// Two particles of the box, and one of them moved by whole edges, are farther apart by what the deformation makes of the
-// edges: at most its norm times the length of these, which is less than the diagonal of the box and the reach.
+// Two particles of the box, and one of them moved by whole edges, are farther apart by what the deformation makes of
+// the edges: at most its norm times the length of these, which is less than the diagonal of the box and the reach.
 // docs/theory/exactness.md, section 13.
 bool StoredCandidates::keep_in(const Domain &domain) {
   if (!kept_) return false;

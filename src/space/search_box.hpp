@@ -8,8 +8,8 @@
 
 namespace hg {
 
-// What may be added to a reach for the places of two particles and for what HG_DOUBLE computes across the box: less than
-// 2^-28 lengths of it.
+// What may be added to a reach for the places of two particles and for what HG_DOUBLE computes across the box: less
+// than 2^-28 lengths of it.
 inline double place_slack(const Domain &domain, int axis) { return 0x1p-28 * domain.period(axis); }
 
 // Around a place as Domain::take_in gives it, moved by a shift: x- and x+ of Eq. 4, a = reach. Rounding is monotone: if

@@ -77,7 +77,8 @@ void ShiftTable::set_cell(const Domain &domain, const FixedPoint &map) {
   for (Image forward = middle(); forward < count_; forward++) {
     const Image backward = count_ - 1 - forward;
     for (int axis = 0; axis < 3; axis++) {
-      const double place = axis < domain.dimension ? std::nearbyint(domain.shifted(axis, shift_[forward]) * map.scale) : 0;
+      const double place =
+          axis < domain.dimension ? std::nearbyint(domain.shifted(axis, shift_[forward]) * map.scale) : 0;
       quanta_[forward].place[axis] = place;
       quanta_[forward].coordinate[axis] = lowest_bits(place);
       quanta_[backward].place[axis] = -place;

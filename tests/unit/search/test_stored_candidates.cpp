@@ -173,8 +173,7 @@ class Run {
       bool met = false;
       for (Image image = 0; image < hg::kImages; image++) {
         if (!is_possible(image)) continue;
-        const hg::Shift seen =
-            step_of(image) + candidates_.boxes(p, crowd_.store) - crowd_.index.domain.boxes(center);
+        const hg::Shift seen = step_of(image) + candidates_.boxes(p, crowd_.store) - crowd_.index.domain.boxes(center);
         int64_t exact = 0;
         met = met || crowd_.overlap.holds({center, sphere.radius}, crowd_.store.ball(slot), seen, exact);
       }
