@@ -5,16 +5,19 @@
 #pragma once
 
 #include "src/index/index.hpp"
+#include "src/kernels/kernel_set.hpp"
 #include "src/particles/particle_store.hpp"
 
 namespace hg {
 
 // What building needs besides the index, kept between builds.
 struct BuildScratch {
-  explicit BuildScratch(Memory &memory) : row_of(memory), row_begin(memory), row(memory), chunks(memory) {}
-  Buffer<uint32_t> row_of;     // of each particle, in slot order
-  Buffer<uint32_t> row_begin;  // for each part of the particles
-  Buffer<uint32_t> row;        // for each worker, room to sort a row: 2 words per particle
+  explicit BuildScratch(Memory &memory)
+      : row_of(memory), row_begin(memory), particles(memory), row(memory), chunks(memory) {}
+  Buffer<uint32_t> row_of;        // of each particle, in slot order
+  Buffer<uint32_t> row_begin;     // for each part of the particles
+  Buffer<RowParticle> particles;  // row by row
+  Buffer<uint32_t> row;           // for each worker, room to sort a row: a word per particle
   ChunkScratch chunks;
 };
 
