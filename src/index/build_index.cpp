@@ -87,7 +87,7 @@ class Builder {
     rows_ = rows;
     index_.row_count = static_cast<int64_t>(rows);
     index_.cell_count = static_cast<int64_t>(cells);
-    index_.cell_begin.require_room(cells + kPadding);
+    index_.cell_begin.require_room(cells + kCellPadding);
     for (int h = 0; h < index_.level_count; h++) level(h).cells.cell_begin = index_.cell_begin.data() + cell_base_[h];
     return true;
   }
