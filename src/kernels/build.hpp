@@ -11,6 +11,7 @@
 #include "src/kernels/wrap.hpp"
 
 #include <cmath>
+#include <cstring>
 
 namespace hg {
 namespace {
@@ -43,9 +44,13 @@ class BuildBlock {
     load(at, count);
     for (int axis = 0; axis < D; axis++) fix(axis);
     fold();
+    Point point[kBuildBlock];
+    for (size_t i = 0; i < kBuildBlock; i++) {
+      point[i] = {fixed_[0][i], fixed_[1][i], D == 3 ? fixed_[2][i] : 0, folded_[i]};
+    }
     for (size_t i = 0; i < count; i++) {
-      const int32_t z = D == 3 ? fixed_[2][i] : 0;
-      *to[i] = {fixed_[0][i], fixed_[1][i], z, folded_[i], static_cast<uint32_t>(at + i)};
+      std::memcpy(to[i], point + i, sizeof(Point));
+      to[i]->slot = static_cast<uint32_t>(at + i);
     }
   }
 
