@@ -88,7 +88,10 @@ void Grid::clear() {
 
 void Grid::changed(bool radii) {
   built_ = false;
-  if (radii) level_choice_.radii_changed();
+  if (radii) {
+    level_choice_.radii_changed();
+    scratch_.population.counted = false;
+  }
   grown_ = grown_ || radii;
   pairs_found_ = false;
   rows_made_[HG_HALF] = rows_made_[HG_FULL] = false;

@@ -45,23 +45,43 @@ class Builder {
  private:
   IndexLevel &level(int h) { return index_.levels[h]; }
 
-  // How many particles each level takes (Eq. 3: the finest whose cells are at least as wide), and the largest of them.
   void populate_levels() {
-    size_t up_to[HG_MAX_LEVELS] = {};
-    for (size_t first = 0; first < count_; first += kChunk) {
-      const size_t chunk = std::min(kChunk, count_ - first);
-      for (int h = 0; h < index_.level_count; h++) {
-        const Within here = within(store_.radii() + first, chunk, level(h).plan.radius_limit, 0.0);
-        up_to[h] += here.count;
-        level(h).largest_radius = std::max(level(h).largest_radius, here.greatest);
-      }
-    }
+    LevelPopulation &population = scratch_.population;
+    if (!is_counted(population)) count(population);
     uint32_t begin = 0;
     for (int h = 0; h < index_.level_count; h++) {
       level(h).begin = begin;
-      level(h).end = begin = static_cast<uint32_t>(up_to[h]);
-      if (level(h).is_empty()) level(h).largest_radius = 0;
+      level(h).end = begin = population.end[h];
+      level(h).largest_radius = level(h).is_empty() ? 0 : population.largest_radius[h];
     }
+  }
+
+  bool is_counted(const LevelPopulation &population) const {
+    bool same = population.counted && population.level_count == index_.level_count;
+    for (int h = 0; same && h < index_.level_count; h++) {
+      same = population.radius_limit[h] == index_.levels[h].plan.radius_limit;
+    }
+    return same;
+  }
+
+  // How many particles each level takes (Eq. 3: the finest whose cells are at least as wide), and the largest of them.
+  void count(LevelPopulation &population) const {
+    size_t up_to[HG_MAX_LEVELS] = {};
+    population.level_count = index_.level_count;
+    for (int h = 0; h < index_.level_count; h++) {
+      population.radius_limit[h] = index_.levels[h].plan.radius_limit;
+      population.largest_radius[h] = 0;
+    }
+    for (size_t first = 0; first < count_; first += kChunk) {
+      const size_t chunk = std::min(kChunk, count_ - first);
+      for (int h = 0; h < index_.level_count; h++) {
+        const Within here = within(store_.radii() + first, chunk, population.radius_limit[h], 0.0);
+        up_to[h] += here.count;
+        population.largest_radius[h] = std::max(population.largest_radius[h], here.greatest);
+      }
+    }
+    for (int h = 0; h < index_.level_count; h++) population.end[h] = static_cast<uint32_t>(up_to[h]);
+    population.counted = true;
   }
 
   // False if space is filled so unevenly that tables of cells do not suit.
