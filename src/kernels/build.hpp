@@ -148,9 +148,10 @@ void sort_row(const RowSort &rows, uint32_t begin, size_t count, uint32_t *cells
   const RowParticle *from = rows.particles + begin;
   for (size_t i = 0; i < count; i++) {
     const auto x = static_cast<float>(from[i].x);
-    cell[i] = static_cast<uint32_t>(cell_of<ScalarLanes>(x, rows.inverse_width, rows.last));
+    const auto c = static_cast<uint32_t>(cell_of<ScalarLanes>(x, rows.inverse_width, rows.last));
+    cell[i] = c;
+    cells[c]++;
   }
-  for (size_t i = 0; i < count; i++) cells[cell[i]]++;
   uint32_t sum = begin;
   for (size_t c = 0; c < cell_count; c++) cells[c] = sum += cells[c];
   for (size_t i = count; i-- > 0;) {
