@@ -101,7 +101,10 @@ void Grid::set_box(const double *box_min, const double *box_max, const double *t
 
 void Grid::changed(bool radii) {
   built_ = false;
-  if (radii) level_choice_.radii_changed();
+  if (radii) {
+    level_choice_.radii_changed();
+    scratch_.population.counted = false;
+  }
   grown_ = grown_ || radii;
   pairs_found_ = false;
   rows_made_[HG_HALF] = rows_made_[HG_FULL] = false;

@@ -18,7 +18,7 @@ namespace {
 void *with_large_pages(void *memory, size_t size) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   constexpr size_t kPage = 4096;
-  constexpr size_t kWorthIt = size_t{4} << 20;
+  constexpr size_t kWorthIt = size_t{1} << 20;
   if (memory == nullptr || size < kWorthIt) return memory;
   const size_t into_page = reinterpret_cast<uintptr_t>(memory) % kPage;
   const size_t pages = (into_page + size + kPage - 1) / kPage;

@@ -37,4 +37,26 @@ Entry *radix_sort(Entry *from, Entry *other, size_t count, int bits, Key &&key) 
   return from;
 }
 
+// The same for numbers that are their own keys and mostly differ in their upper bits: sorts by these, and then what
+// they leave together.
+inline uint64_t *radix_sort_from_top(uint64_t *from, uint64_t *other, size_t count, int bits) {
+  constexpr int kTop = 33;         // three digits
+  constexpr size_t kFew = 1 << 8;  // not worth digits
+  const int low = bits > kTop ? bits - kTop : 0;
+  uint64_t *sorted = radix_sort(from, other, count, bits - low, [low](uint64_t key) { return key >> low; });
+  uint64_t *room = sorted == from ? other : from;
+  for (size_t first = 0, end = 1; low > 0 && end <= count; end++) {
+    if (end < count && sorted[end] >> low == sorted[first] >> low) continue;
+    if (end - first > kFew) {
+      const uint64_t *run =
+          radix_sort(sorted + first, room + first, end - first, low, [](uint64_t key) { return key; });
+      if (run != sorted + first) std::copy(run, run + (end - first), sorted + first);
+    } else if (end - first > 1) {
+      std::sort(sorted + first, sorted + end);
+    }
+    first = end;
+  }
+  return sorted;
+}
+
 }  // namespace hg

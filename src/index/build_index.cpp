@@ -8,7 +8,6 @@
 #include "src/index/images.hpp"
 #include "src/index/particle_input.hpp"
 #include "src/kernels/kernel_set.hpp"
-#include "src/kernels/lanes_scalar.hpp"
 #include "src/levels/companions.hpp"
 #include "src/space/level_cells.hpp"
 
@@ -46,23 +45,43 @@ class Builder {
  private:
   IndexLevel &level(int h) { return index_.levels[h]; }
 
-  // How many particles each level takes (Eq. 3: the finest whose cells are at least as wide), and the largest of them.
   void populate_levels() {
-    size_t up_to[HG_MAX_LEVELS] = {};
-    for (size_t first = 0; first < count_; first += kChunk) {
-      const size_t chunk = std::min(kChunk, count_ - first);
-      for (int h = 0; h < index_.level_count; h++) {
-        const Within here = within(store_.radii() + first, chunk, level(h).plan.radius_limit, 0.0);
-        up_to[h] += here.count;
-        level(h).largest_radius = std::max(level(h).largest_radius, here.greatest);
-      }
-    }
+    LevelPopulation &population = scratch_.population;
+    if (!is_counted(population)) count(population);
     uint32_t begin = 0;
     for (int h = 0; h < index_.level_count; h++) {
       level(h).begin = begin;
-      level(h).end = begin = static_cast<uint32_t>(up_to[h]);
-      if (level(h).is_empty()) level(h).largest_radius = 0;
+      level(h).end = begin = population.end[h];
+      level(h).largest_radius = level(h).is_empty() ? 0 : population.largest_radius[h];
     }
+  }
+
+  bool is_counted(const LevelPopulation &population) const {
+    bool same = population.counted && population.level_count == index_.level_count;
+    for (int h = 0; same && h < index_.level_count; h++) {
+      same = population.radius_limit[h] == index_.levels[h].plan.radius_limit;
+    }
+    return same;
+  }
+
+  // How many particles each level takes (Eq. 3: the finest whose cells are at least as wide), and the largest of them.
+  void count(LevelPopulation &population) const {
+    size_t up_to[HG_MAX_LEVELS] = {};
+    population.level_count = index_.level_count;
+    for (int h = 0; h < index_.level_count; h++) {
+      population.radius_limit[h] = index_.levels[h].plan.radius_limit;
+      population.largest_radius[h] = 0;
+    }
+    for (size_t first = 0; first < count_; first += kChunk) {
+      const size_t chunk = std::min(kChunk, count_ - first);
+      for (int h = 0; h < index_.level_count; h++) {
+        const Within here = within(store_.radii() + first, chunk, population.radius_limit[h], 0.0);
+        up_to[h] += here.count;
+        population.largest_radius[h] = std::max(population.largest_radius[h], here.greatest);
+      }
+    }
+    for (int h = 0; h < index_.level_count; h++) population.end[h] = static_cast<uint32_t>(up_to[h]);
+    population.counted = true;
   }
 
   // False if space is filled so unevenly that tables of cells do not suit.
@@ -88,7 +107,7 @@ class Builder {
     rows_ = rows;
     index_.row_count = static_cast<int64_t>(rows);
     index_.cell_count = static_cast<int64_t>(cells);
-    index_.cell_begin.require_room(cells + kPadding);
+    index_.cell_begin.require_room(cells + kCellPadding);
     for (int h = 0; h < index_.level_count; h++) level(h).cells.cell_begin = index_.cell_begin.data() + cell_base_[h];
     return true;
   }
@@ -114,6 +133,7 @@ class Builder {
   void scatter_into_rows() {
     const size_t stride = rows_ + 1;
     scratch_.row_of.require(count_);
+    scratch_.particles.require(count_);
     scratch_.row_begin.require_room(stride * parts_);
     LevelRows levels[HG_MAX_LEVELS];
     const BuildInput input = build_input(levels);
@@ -133,12 +153,10 @@ class Builder {
       }
       longest_row_ = std::max<size_t>(longest_row_, sum - row_starts);
     }
-    scratch_.row.require(2 * longest_row_ * static_cast<size_t>(threads_));
-    PointStore &points = index_.particles;
+    scratch_.row.require(longest_row_ * static_cast<size_t>(threads_));
     parallel_for(threads_, parts_, [&](size_t part, int) {
       kernel.put_into_rows(input, part_begin(part), part_begin(part + 1),
-                           {scratch_.row_of.data(), begin + part * stride, points.x.data(), points.y.data(),
-                            points.z.data(), points.radius.data(), points.slot.data()});
+                           {scratch_.row_of.data(), begin + part * stride, scratch_.particles.data()});
     });
     // The last part's begins have moved to where the next row begins.
     std::memmove(begin + 1, begin + (parts_ - 1) * stride, rows_ * sizeof *begin);
@@ -151,48 +169,14 @@ class Builder {
     const size_t rows = static_cast<size_t>(l.cells.count[1]) * static_cast<size_t>(l.cells.count[2]);
     uint32_t *cells = index_.cell_begin.data() + cell_base_[h];
     const uint32_t *row_begin = scratch_.row_begin.data() + row_base_[h];
-    const auto row_cells = static_cast<size_t>(l.cells.count[0]);
+    const RowSort sort{scratch_.particles.data(), row_begin, l.cells.count[0],          l.cells.inverse_width[0],
+                       last_of(l.cells, 0),       cells,     index_.particles.columns()};
+    const BuildKernel &kernel = active_kernels().build[D - 2];
     parallel_for(threads_, kRowTasks, [&](size_t task, int worker) {
-      uint32_t *room = scratch_.row.data() + static_cast<size_t>(worker) * 2 * longest_row_;
-      for (size_t row = rows * task / kRowTasks; row < rows * (task + 1) / kRowTasks; row++) {
-        sort_row(l, row_begin[row], row_begin[row + 1], cells + row * row_cells, room);
-      }
+      uint32_t *room = scratch_.row.data() + static_cast<size_t>(worker) * longest_row_;
+      kernel.sort_rows(sort, rows * task / kRowTasks, rows * (task + 1) / kRowTasks, room);
     });
-    cells[rows * row_cells] = l.end;
-  }
-
-  // Counting sort of one row by cell, stable; fills the row's part of the table. `room` is for 2 words per particle.
-  void sort_row(const IndexLevel &l, uint32_t begin, uint32_t end, uint32_t *cells, uint32_t *room) {
-    const auto cell_count = static_cast<size_t>(l.cells.count[0]);
-    if (begin == end) {
-      std::fill(cells, cells + cell_count, begin);
-      return;
-    }
-    std::fill(cells, cells + cell_count, 0u);
-    PointStore &points = index_.particles;
-    const int32_t *x = points.x.data() + begin;
-    const size_t count = end - begin;
-    uint32_t *to = room;
-    const float inverse_width = l.cells.inverse_width[0], last = last_of(l.cells, 0);
-    for (size_t i = 0; i < count; i++) {
-      to[i] = static_cast<uint32_t>(cell_of<ScalarLanes>(static_cast<float>(x[i]), inverse_width, last));
-    }
-    for (size_t i = 0; i < count; i++) cells[to[i]]++;
-    uint32_t sum = begin;
-    for (size_t c = 0; c < cell_count; c++) cells[c] = sum += cells[c];
-    for (size_t i = count; i-- > 0;) to[i] = --cells[to[i]];
-    permute(points.x, to, begin, count, room + count);
-    permute(points.y, to, begin, count, room + count);
-    if (D == 3) permute(points.z, to, begin, count, room + count);
-    permute(points.radius, to, begin, count, room + count);
-    permute(points.slot, to, begin, count, room + count);
-  }
-
-  template <class T>
-  static void permute(Buffer<T> &column, const uint32_t *to, uint32_t begin, size_t count, uint32_t *room) {
-    static_assert(sizeof(T) == sizeof(uint32_t));
-    std::memcpy(room, column.data() + begin, count * sizeof(T));
-    for (size_t i = 0; i < count; i++) std::memcpy(column.data() + to[i], room + i, sizeof(T));
+    cells[rows * static_cast<size_t>(l.cells.count[0])] = l.end;
   }
 
   Index &index_;

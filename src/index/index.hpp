@@ -26,6 +26,7 @@ class PointStore {
   PointArrays arrays(bool with_images) const {
     return {x.data(), y.data(), z.data(), radius.data(), slot.data(), with_images ? image.data() : nullptr};
   }
+  PointColumns columns() { return {x.data(), y.data(), z.data(), radius.data(), slot.data()}; }
   Buffer<int32_t> &column(int axis) { return axis == 0 ? x : (axis == 1 ? y : z); }
   const Buffer<int32_t> &column(int axis) const { return axis == 0 ? x : (axis == 1 ? y : z); }
   // Room for `count` points and defined values in the padding; contents are lost.

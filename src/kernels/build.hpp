@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The two passes of building over the caller's particles, one source for all instruction sets: find the row of each
-// particle, then put it there in fixed point. The second pass makes the coordinates anew, which is cheaper than keeping
-// them between. Plain loops over blocks that the compiler turns into vector code of the file's instruction set.
+// The three passes of building, one source for all instruction sets: find the row of each particle, then put it there
+// in fixed point, then sort each row by cells. The second pass makes the coordinates anew, which is cheaper than
+// keeping them between. Plain loops over blocks that the compiler turns into vector code of the file's instruction set.
 #pragma once
 
 #include "src/kernels/choose_levels.hpp"
@@ -11,6 +11,7 @@
 #include "src/kernels/wrap.hpp"
 
 #include <cmath>
+#include <cstring>
 
 namespace hg {
 namespace {
@@ -34,26 +35,23 @@ class BuildBlock {
   }
 
   void put_into_rows(size_t at, size_t count, const RowScatter &output) {
+    // The rows' ends are more cache lines than the nearest cache has: ask for all of them before the first is made.
+    RowParticle *to[kBuildBlock];
+    for (size_t i = 0; i < count; i++) {
+      to[i] = output.particles + output.row_next[output.row_of[at + i]]++;
+      __builtin_prefetch(to[i], 1);
+    }
     load(at, count);
     fix_from(0);
     fold();
-    // The rows' ends are more cache lines than the nearest cache has: ask for all of them before the first is written.
-    uint32_t *to = row_;
+    Point point[kBuildBlock];
+    for (size_t i = 0; i < kBuildBlock; i++) {
+      point[i] = {fixed_[0][i], fixed_[1][i], D == 3 ? fixed_[2][i] : 0, folded_[i]};
+    }
     for (size_t i = 0; i < count; i++) {
-      to[i] = output.row_next[output.row_of[at + i]]++;
-      __builtin_prefetch(output.x + to[i], 1);
-      __builtin_prefetch(output.y + to[i], 1);
-      if constexpr (D == 3) __builtin_prefetch(output.z + to[i], 1);
-      __builtin_prefetch(output.radius + to[i], 1);
-      __builtin_prefetch(output.slot + to[i], 1);
+      std::memcpy(to[i], point + i, sizeof(Point));
+      to[i]->slot = static_cast<uint32_t>(at + i);
     }
-    for (size_t i = 0; i < count; i++) output.x[to[i]] = fixed_[0][i];
-    for (size_t i = 0; i < count; i++) output.y[to[i]] = fixed_[1][i];
-    if constexpr (D == 3) {
-      for (size_t i = 0; i < count; i++) output.z[to[i]] = fixed_[2][i];
-    }
-    for (size_t i = 0; i < count; i++) output.radius[to[i]] = folded_[i];
-    for (size_t i = 0; i < count; i++) output.slot[to[i]] = static_cast<uint32_t>(at + i);
   }
 
  private:
@@ -138,9 +136,46 @@ void put_into_rows(const BuildInput &input, size_t begin, size_t end, const RowS
   }
 }
 
+// Counting sort of one row by cell, stable; fills the row's part of the table. `cell`: room for the cell of each.
+template <int D>
+void sort_row(const RowSort &rows, uint32_t begin, size_t count, uint32_t *cells, uint32_t *cell) {
+  const auto cell_count = static_cast<size_t>(rows.row_cells);
+  if (count == 0) {
+    for (size_t c = 0; c < cell_count; c++) cells[c] = begin;
+    return;
+  }
+  for (size_t c = 0; c < cell_count; c++) cells[c] = 0;
+  const RowParticle *from = rows.particles + begin;
+  for (size_t i = 0; i < count; i++) {
+    const auto x = static_cast<float>(from[i].x);
+    const auto c = static_cast<uint32_t>(cell_of<ScalarLanes>(x, rows.inverse_width, rows.last));
+    cell[i] = c;
+    cells[c]++;
+  }
+  uint32_t sum = begin;
+  for (size_t c = 0; c < cell_count; c++) cells[c] = sum += cells[c];
+  for (size_t i = count; i-- > 0;) {
+    const uint32_t to = --cells[cell[i]];
+    rows.output.x[to] = from[i].x;
+    rows.output.y[to] = from[i].y;
+    if constexpr (D == 3) rows.output.z[to] = from[i].z;
+    rows.output.radius[to] = from[i].radius;
+    rows.output.slot[to] = from[i].slot;
+  }
+}
+
+template <int D>
+void sort_rows(const RowSort &rows, size_t begin, size_t end, uint32_t *room) {
+  for (size_t row = begin; row < end; row++) {
+    const uint32_t first = rows.row_begin[row];
+    sort_row<D>(rows, first, rows.row_begin[row + 1] - first,
+                rows.cell_begin + row * static_cast<size_t>(rows.row_cells), room);
+  }
+}
+
 template <int D>
 constexpr BuildKernel make_build() {
-  return {find_rows<D>, put_into_rows<D>};
+  return {find_rows<D>, put_into_rows<D>, sort_rows<D>};
 }
 
 }  // namespace

@@ -60,18 +60,36 @@ struct RowCount {
   uint32_t *row_count;  // counted up
 };
 
+// A particle on its way from the caller's order to that of the cells. One record, as columns would be a cache line
+// each; z is 0 in 2D.
+struct RowParticle {
+  int32_t x, y, z;
+  float radius;
+  uint32_t slot;
+};
+
 // Where particles go, in the order in which they come within each row.
 struct RowScatter {
   const uint32_t *row_of;
   uint32_t *row_next;  // where the next particle of a row goes; counted up
-  int32_t *x, *y, *z;  // z is not written in 2D
-  float *radius;
-  uint32_t *slot;
+  RowParticle *particles;
+};
+
+// The rows of a level, and where their particles go, sorted by cell.
+struct RowSort {
+  const RowParticle *particles;
+  const uint32_t *row_begin;  // and where the last row ends
+  int32_t row_cells;
+  float inverse_width, last;  // of cells along x
+  uint32_t *cell_begin;       // of all rows
+  PointColumns output;
 };
 
 struct BuildKernel {
   void (*find_rows)(const BuildInput &input, size_t begin, size_t end, const RowCount &output);
   void (*put_into_rows)(const BuildInput &input, size_t begin, size_t end, const RowScatter &output);
+  // `room`: a word for each particle of the longest row.
+  void (*sort_rows)(const RowSort &rows, size_t begin, size_t end, uint32_t *room);
 };
 
 // Of a level that is kept as chunks of rows. The layers (rows of the same z) of all levels are numbered through.

@@ -85,6 +85,16 @@ struct Avx2Lanes {
   static Int gather(const uint32_t *p, Int i, Mask m) {
     return _mm256_mask_i32gather_epi32(_mm256_setzero_si256(), reinterpret_cast<const int *>(p), i, m, 4);
   }
+  // Two loads instead of eight where all indices lie close to the first one.
+  static Int gather_near(const uint32_t *p, Int i, Mask m) {
+    const int32_t base = first(i) - 4;
+    const Int from = _mm256_sub_epi32(i, _mm256_set1_epi32(base));
+    const Int far = _mm256_and_si256(m, _mm256_andnot_si256(_mm256_set1_epi32(15), from));
+    if (__builtin_expect(_mm256_testz_si256(far, far) == 0 || base < 0, 0)) return gather(p, i, m);
+    const Int low = _mm256_permutevar8x32_epi32(load(reinterpret_cast<const int32_t *>(p + base)), from);
+    const Int high = _mm256_permutevar8x32_epi32(load(reinterpret_cast<const int32_t *>(p + base + 8)), from);
+    return _mm256_and_si256(m, _mm256_blendv_epi8(low, high, _mm256_cmpgt_epi32(from, _mm256_set1_epi32(7))));
+  }
   static Int compressed(Int a, uint32_t mask) {
     const Int lanes = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<int64_t>(kCompress.lanes[mask])));
     return _mm256_permutevar8x32_epi32(a, lanes);

@@ -66,20 +66,32 @@ struct Avx512Lanes {
   static Int gather(const uint32_t *p, Int i, Mask m) {
     return _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), m, i, p, 4);
   }
+  // As in lanes_avx2.hpp.
+  static Int gather_near(const uint32_t *p, Int i, Mask m) {
+    const int32_t base = first(i) - 8;
+    const Int from = _mm512_sub_epi32(i, _mm512_set1_epi32(base));
+    const Mask far = _mm512_mask_cmpgt_epu32_mask(m, from, _mm512_set1_epi32(31));
+    if (__builtin_expect(far != 0 || base < 0, 0)) return gather(p, i, m);
+    return _mm512_maskz_permutex2var_epi32(m, _mm512_loadu_si512(p + base), from, _mm512_loadu_si512(p + base + 16));
+  }
   static void compress(uint32_t *to, Int a, Mask m) { _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(m, a)); }
 
   static hg_pair *emit(hg_pair *next, uint32_t slot, const uint32_t *others, uint32_t found, int32_t offset) {
-    const Int me = _mm512_set1_epi32(static_cast<int32_t>(slot));
     const Int other = _mm512_maskz_compress_epi32(static_cast<Mask>(found), _mm512_loadu_si512(others));
-    const Int shift = _mm512_set1_epi32(offset);
-    const Int low = _mm512_add_epi32(_mm512_min_epi32(me, other), shift);
-    const Int high = _mm512_add_epi32(_mm512_max_epi32(me, other), shift);
-    const Int first = _mm512_setr_epi32(0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
-    const Int second = _mm512_setr_epi32(8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
     const int count = __builtin_popcount(found);
-    _mm512_storeu_si512(next, _mm512_permutex2var_epi32(low, first, high));
-    if (__builtin_expect(count > 8, 0)) _mm512_storeu_si512(next + 8, _mm512_permutex2var_epi32(low, second, high));
+    store_pairs(next, slot, _mm512_castsi512_si256(other), offset);
+    if (__builtin_expect(count > 8, 0)) store_pairs(next + 8, slot, _mm512_extracti64x4_epi64(other, 1), offset);
     return next + count;
+  }
+
+ private:
+  static void store_pairs(hg_pair *to, uint32_t slot, __m256i other, int32_t offset) {
+    const __m256i me = _mm256_set1_epi32(static_cast<int32_t>(slot)), shift = _mm256_set1_epi32(offset);
+    const __m256i low = _mm256_add_epi32(_mm256_min_epi32(me, other), shift);
+    const __m256i high = _mm256_add_epi32(_mm256_max_epi32(me, other), shift);
+    const __m256i a = _mm256_unpacklo_epi32(low, high), b = _mm256_unpackhi_epi32(low, high);
+    _mm256_storeu_si256(reinterpret_cast<__m256i *>(to), _mm256_permute2x128_si256(a, b, 0x20));
+    _mm256_storeu_si256(reinterpret_cast<__m256i *>(to + 4), _mm256_permute2x128_si256(a, b, 0x31));
   }
 };
 

@@ -96,6 +96,7 @@ struct NeonLanes {
     values = vsetq_lane_u32(p[vgetq_lane_u32(at, 3)], values, 3);
     return vreinterpretq_s32_u32(values);
   }
+  static Int gather_near(const uint32_t *p, Int i, Mask m) { return gather(p, i, m); }
   static void compress(uint32_t *to, Int a, Mask m) { vst1q_u32(to, lanes_of(vreinterpretq_u32_s32(a), bits(m))); }
 
   static hg_pair *emit(hg_pair *next, uint32_t slot, const uint32_t *others, uint32_t found, int32_t offset) {

@@ -51,6 +51,8 @@ struct ScalarLanes {
   static int32_t first(Int a) { return a; }
   static int32_t greatest(Int a, Mask m) { return m ? a : 0; }
   static Int gather(const uint32_t *p, Int i, Mask m) { return m ? static_cast<int32_t>(p[i]) : 0; }
+  // Of a table that is kCellPadding longer; indices mostly lie close to each other.
+  static Int gather_near(const uint32_t *p, Int i, Mask m) { return gather(p, i, m); }
   static void compress(uint32_t *to, Int a, Mask) { *to = static_cast<uint32_t>(a); }
 
   // Writes the pairs of `slot` with the slots whose bit is set, smaller first, each plus `offset`.

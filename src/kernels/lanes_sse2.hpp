@@ -77,6 +77,7 @@ struct Sse2Lanes {
     return _mm_setr_epi32(static_cast<int32_t>(p[at[0]]), static_cast<int32_t>(p[at[1]]),
                           static_cast<int32_t>(p[at[2]]), static_cast<int32_t>(p[at[3]]));
   }
+  static Int gather_near(const uint32_t *p, Int i, Mask m) { return gather(p, i, m); }
   static void compress(uint32_t *to, Int a, Mask m) {
     alignas(16) uint32_t lane[4];
     _mm_store_si128(reinterpret_cast<__m128i *>(lane), a);

@@ -22,6 +22,13 @@ struct PointArrays {
   const Image *image;  // which periodic image the points stand for; NULL: kNoImage, all of them
 };
 
+// The same while they are made.
+struct PointColumns {
+  int32_t *x, *y, *z;  // z is not written in 2D
+  float *radius;
+  uint32_t *slot;
+};
+
 static inline const int32_t *coordinates(const PointArrays &points, int axis) {
   return axis == 0 ? points.x : (axis == 1 ? points.y : points.z);
 }

@@ -54,33 +54,52 @@ class RangeTest {
   }
 
   bool consume() {
+    // Locals, as the compiler must assume that writing pairs changes what members point to.
+    const PointArrays points = points_, others = particles_;
+    hg_pair *next = stream_->output.next;
     const uint32_t count = ranges_.count;
-    ranges_.count = 0;
-    for (uint32_t k = 0; k < count; k++) {
+    bool go_on = true;
+    int64_t candidates = 0;
+    for (uint32_t k = 0; k < count && go_on; k++) {
       uint32_t begin = ranges_.begin[k];
       const uint32_t end = ranges_.end[k];
       do {
         const uint32_t piece_end = end - begin > kMaxPiece ? begin + kMaxPiece : end;
-        if (!have_room(stream_, piece_end - begin + kPadding)) return false;
-        test(ranges_.point[k], begin, piece_end);
-        begin = piece_end;
+        go_on = have_room(piece_end - begin + kPadding, next);
+        if (!go_on) break;
+        const uint32_t tested = test(points, ranges_.point[k], others, begin, piece_end, next);
+        candidates += tested - begin;
+        begin = tested;
       } while (begin < end);
     }
-    return true;
+    ranges_.count = 0;
+    stream_->output.next = next;
+    stream_->candidate_total += candidates;
+    return go_on;
   }
 
   const PointArrays &points_;
 
  private:
-  void test(uint32_t i, uint32_t begin, uint32_t end) {
-    // Locals, as the compiler must assume that writing pairs changes what members point to.
-    const PointArrays others = particles_;
-    const I x = V::set(points_.x[i]), y = V::set(points_.y[i]), z = V::set(D == 3 ? points_.z[i] : 0);
-    const F radius = V::set(points_.radius[i]), band_constant = V::set(stream_->judge.band_constant);
-    const uint32_t slot = points_.slot[i];
+  // Room for so many pairs at `next`, which moves where they are given another place.
+  bool have_room(uint32_t pairs, hg_pair *&next) {
+    if (__builtin_expect(static_cast<size_t>(stream_->output.limit - next) >= pairs, 1)) return true;
+    stream_->output.next = next;
+    const bool go_on = hg::have_room(stream_, pairs);
+    next = stream_->output.next;
+    return go_on;
+  }
+
+  // Tests candidates of point i from `begin` on, up to `end` or to where some are undecided, and returns how far it
+  // came: a loop that calls nothing keeps its vectors in registers.
+  uint32_t test(const PointArrays points, uint32_t i, const PointArrays others, uint32_t begin, uint32_t end,
+                hg_pair *&next) {
+    const I x = V::set(points.x[i]), y = V::set(points.y[i]), z = V::set(D == 3 ? points.z[i] : 0);
+    const F radius = V::set(points.radius[i]), band_constant = V::set(stream_->judge.band_constant);
+    const uint32_t slot = points.slot[i];
     const int32_t offset = stream_->judge.id_offset;
-    hg_pair *next = stream_->output.next;
-    for (uint32_t j = begin; j < end; j += kLanes) {
+    uint32_t j = begin, found, sure;
+    do {
       const F dx = V::to_float(V::sub(x, V::load(others.x + j)));
       const F dy = V::to_float(V::sub(y, V::load(others.y + j)));
       F d2 = V::add(V::mul(dx, dx), V::mul(dy, dy));
@@ -90,14 +109,18 @@ class RangeTest {
       }
       const auto verdict = fast_test<V>(d2, Rule::template base<V>(radius, V::load(others.radius + j)), band_constant);
       const uint32_t here = lanes_before(end - j);
-      const uint32_t found = verdict.possible() & here;
-      if (kLanes == 1 && found == 0) continue;
-      const uint32_t sure = verdict.sure() & here;
-      if (__builtin_expect(found != sure, 0)) next = leave_undecided(i, j, found, found ^ sure, next);
+      found = verdict.possible() & here;
+      sure = verdict.sure() & here;
+      if (__builtin_expect(found != sure, 0)) break;
       next = V::emit(next, slot, others.slot + j, found, offset);
+      j += kLanes;
+    } while (j < end);
+    if (__builtin_expect(found != sure, 0)) {
+      next = leave_undecided(i, j, found, found ^ sure, next);
+      next = V::emit(next, slot, others.slot + j, found, offset);
+      j += kLanes;
     }
-    stream_->output.next = next;
-    stream_->candidate_total += end - begin;
+    return j < end ? j : end;
   }
 
   static uint32_t lanes_before(uint32_t count) { return count >= kLanes ? (1u << kLanes) - 1u : (1u << count) - 1u; }

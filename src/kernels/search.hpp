@@ -115,15 +115,15 @@ class LevelSearch : RangeTest<V, D, Rule> {
     const F half = V::sqrt(V::max(V::set(0.0f), half2));
     const I first = V::add(row, cell_at(0, V::sub(x, half)));
     const I last = V::add(row, cell_at(0, V::add(x, half)));
-    push(point, V::gather(cells_.cell_begin, first, meets),
-         V::gather(cells_.cell_begin, V::add(last, V::set(1)), meets), meets);
+    push(point, V::gather_near(cells_.cell_begin, first, meets),
+         V::gather_near(cells_.cell_begin, V::add(last, V::set(1)), meets), meets);
   }
 
   void rest_of_own_row() {
     for (uint32_t n = 0; n < kParts; n++) {
       const Part &p = part_[n];
       const I last = V::add(row_begin(p.row_y, p.row_z), cell_at(0, V::add(p.x, p.reach)));
-      push(p.index, V::add(p.index, V::set(1)), V::gather(cells_.cell_begin, V::add(last, V::set(1)), p.active),
+      push(p.index, V::add(p.index, V::set(1)), V::gather_near(cells_.cell_begin, V::add(last, V::set(1)), p.active),
            p.active);
     }
   }

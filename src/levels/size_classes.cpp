@@ -23,7 +23,7 @@ void SizeClasses::sort_radii(const double *radii, size_t count, const Interval &
   uint64_t *keys = keys_.data();
   for (size_t i = 0; i < count; i++) keys[i] = ordered_bits(radii[i]) - least;
   const int bits = bit_width(ordered_bits(extremes.greatest) - least);
-  const uint64_t *sorted = radix_sort(keys, keys + count, count, bits, [](uint64_t key) { return key; });
+  const uint64_t *sorted = radix_sort_from_top(keys, keys + count, count, bits);
   for (size_t i = 0; i < count; i++) {
     if (i + 1 < count && sorted[i + 1] == sorted[i]) continue;
     radius_[count_] = from_bits(least + sorted[i]);

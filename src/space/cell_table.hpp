@@ -3,6 +3,7 @@
 // The cells of one level, and the map from coordinates to them. Lengths are in quanta (fixed_point.hpp).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace hg {
@@ -12,6 +13,9 @@ namespace hg {
 // up.
 inline constexpr float kSearchSlack = 1024.0f;
 inline constexpr float kSearchScale = 1.0f + 0x1p-20f;
+
+// Kernels read up to so many elements behind the end of the last cell, ignoring what they read there.
+inline constexpr size_t kCellPadding = 32;
 
 // Rows along x, stacked in y and z. Cell c of row (y, z) begins at cell_begin[(z * count[1] + y) * count[0] + c] in the
 // sorted particles, and ends where the next cell begins.

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // radix_sort against std::stable_sort: keys of 0 to 64 bits, few or many different ones, in either of its two arrays.
+// radix_sort_from_top against std::sort.
 #include "src/base/radix_sort.hpp"
 #include "tests/unit/checks.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace {
@@ -73,9 +75,31 @@ void any_key_type(void **) {
   }));
 }
 
+// Numbers of which few or many share their upper bits, so few or so many that runs of all lengths are left to sort.
+void from_the_top(void **) {
+  assert_true(sweep(200, [](uint64_t seed) {
+    Rng rng(seed);
+    const int bits = rng.integer(0, 64), shared = rng.integer(0, std::min(bits, 63));
+    const size_t different = 1 + rng.below(20);
+    std::vector<uint64_t> keys(rng.below(8000)), other(keys.size());
+    for (uint64_t &key : keys) {
+      key = any_key(rng, bits, 4);
+      if (shared > 0 && !rng.chance(0.1))
+        key = (key & ~uint64_t{0} >> shared) | rng.below(different) << (bits - shared);
+      if (bits < 64) key &= (uint64_t{1} << bits) - 1;
+    }
+    std::vector<uint64_t> expected = keys;
+    std::sort(expected.begin(), expected.end());
+    const uint64_t *sorted = hg::radix_sort_from_top(keys.data(), other.data(), keys.size(), bits);
+    require(std::equal(expected.begin(), expected.end(), sorted), "%zu numbers of %d bits, %d of them shared",
+            keys.size(), bits, shared);
+  }));
+}
+
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(as_a_stable_sort), cmocka_unit_test(any_key_type)};
+  const CMUnitTest tests[] = {cmocka_unit_test(as_a_stable_sort), cmocka_unit_test(any_key_type),
+                              cmocka_unit_test(from_the_top)};
   return cmocka_run_group_tests_name("radix_sort", tests, nullptr, nullptr);
 }

@@ -15,8 +15,8 @@ namespace {
 
 using namespace hgtest;
 using hg::CellTable;
+using hg::kCellPadding;
 using hg::KernelSet;
-using hg::kPadding;
 
 constexpr uint32_t kFirstPoint = 1000;  // slot of the first point that is not a particle of the level
 
@@ -159,7 +159,7 @@ class Scene {
     particles_ = sorted;
     size_t cells = 1;
     for (int32_t c : table_.count) cells *= static_cast<size_t>(c);
-    cell_begin_.assign(cells + 1 + kPadding, static_cast<uint32_t>(n));
+    cell_begin_.assign(cells + 1 + kCellPadding, static_cast<uint32_t>(n));
     size_t next = 0;
     for (size_t i = 0; i < n; i++) {
       for (; next <= order[i].first; next++) cell_begin_[next] = static_cast<uint32_t>(i);
