@@ -135,7 +135,7 @@ void ChunkRows::number_cells() {
 
 template <class KeyAt>
 void ChunkRows::fill_cells(KeyAt &&key_at, size_t count) {
-  cell_begin_.require_room(cells_ + kPadding);
+  cell_begin_.require_room(cells_ + kCellPadding);
   uint32_t *begin = cell_begin_.data();
   std::fill(begin, begin + cells_ + kPadding, 0u);
   for (size_t i = 0; i < count; i++) {
@@ -239,9 +239,9 @@ void ChunkRows::list_layers(const ChunkScratch &scratch) {
 }
 
 void ChunkRows::set_origins() {
-  origin_x_.require_room(chunks_);
-  origin_y_.require_room(chunks_);
-  origin_z_.require_room(chunks_);
+  origin_x_.require_room(chunks_ + kCellPadding);
+  origin_y_.require_room(chunks_ + kCellPadding);
+  origin_z_.require_room(chunks_ + kCellPadding);
   for (int h = 0; h < level_count_; h++) {
     const ChunkLevel &level = levels_[h];
     if (level.giants) continue;
@@ -261,7 +261,7 @@ void ChunkRows::set_origins() {
 
 // Rows are sorted, so the neighbours of all rows in the next layer are met by one walk.
 void ChunkRows::link_rows(int dimension, const ChunkScratch &scratch) {
-  for (auto &word : word_) word.require_room(chunks_ + kPadding);
+  for (auto &word : word_) word.require_room(chunks_ + kCellPadding);
   for (int n = 1; n < kStencilRows; n++) std::fill(word_[n].data(), word_[n].data() + chunks_, ChunkWord::kNone);
   link_own_row();
   const uint64_t *key = scratch.row_key.data();

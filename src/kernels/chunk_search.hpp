@@ -98,7 +98,7 @@ class ChunkSearch : RangeTest<V, D, Rule> {
     return V::to_float(V::sub(V::load(x), gather(chunks_.origin[axis], p.chunk, p.active)));
   }
 
-  static I gather(const int32_t *p, I i, M m) { return V::gather(reinterpret_cast<const uint32_t *>(p), i, m); }
+  static I gather(const int32_t *p, I i, M m) { return V::gather_near(reinterpret_cast<const uint32_t *>(p), i, m); }
   static F offset(int32_t x, int32_t place) { return V::set(static_cast<float>(near_difference(x, place))); }
 
   void rest_of_own_row() {
@@ -118,9 +118,11 @@ class ChunkSearch : RangeTest<V, D, Rule> {
       if (dz != 0) half2 = less_square(half2, V::sub(width_, p.z));
       const M meets = V::both(p.active, V::less(V::set(0.0f), half2));
       if (V::bits(meets) == 0) continue;
+      const Row row(gather(chunks_.word[stencil_row], p.chunk, p.active));
+      const M here = V::both(meets, V::less(row.first, row.last));
+      if (V::bits(here) == 0) continue;
       const F half = V::mul(V::sqrt(V::max(V::set(0.0f), half2)), inverse_);
-      const Row row(gather(chunks_.word[stencil_row], p.chunk, meets));
-      push(p.index, row.begin(*this, V::sub(p.x, half), meets), row.end(*this, V::add(p.x, half), meets), meets);
+      push(p.index, row.begin(*this, V::sub(p.x, half), here), row.end(*this, V::add(p.x, half), here), here);
     }
   }
 
@@ -150,7 +152,7 @@ class ChunkSearch : RangeTest<V, D, Rule> {
   };
   I cell(I middle, I from_first, M wanted) const {
     const I cell = V::add(middle, V::sub(from_first, V::set(kChunkCells)));
-    return V::gather(chunks_.cell_begin, cell, wanted);
+    return V::gather_near(chunks_.cell_begin, cell, wanted);
   }
 
   // The cells of single chunks from x - half to x + half, x seen from their corners.

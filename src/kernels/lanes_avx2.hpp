@@ -85,9 +85,10 @@ struct Avx2Lanes {
   static Int gather(const uint32_t *p, Int i, Mask m) {
     return _mm256_mask_i32gather_epi32(_mm256_setzero_si256(), reinterpret_cast<const int *>(p), i, m, 4);
   }
-  // Two loads instead of eight where all indices lie close to the first one.
+  // Two loads instead of eight where all indices that count lie close to the first one of them.
   static Int gather_near(const uint32_t *p, Int i, Mask m) {
-    const int32_t base = first(i) - 4;
+    const auto lane = static_cast<int32_t>(__builtin_ctz(bits(m) | 1u << kLanes));
+    const int32_t base = first(_mm256_permutevar8x32_epi32(i, _mm256_set1_epi32(lane))) - 4;
     const Int from = _mm256_sub_epi32(i, _mm256_set1_epi32(base));
     const Int far = _mm256_and_si256(m, _mm256_andnot_si256(_mm256_set1_epi32(15), from));
     if (__builtin_expect(_mm256_testz_si256(far, far) == 0 || base < 0, 0)) return gather(p, i, m);

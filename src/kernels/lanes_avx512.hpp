@@ -68,7 +68,7 @@ struct Avx512Lanes {
   }
   // As in lanes_avx2.hpp.
   static Int gather_near(const uint32_t *p, Int i, Mask m) {
-    const int32_t base = first(i) - 8;
+    const int32_t base = first(_mm512_maskz_compress_epi32(m, i)) - 8;
     const Int from = _mm512_sub_epi32(i, _mm512_set1_epi32(base));
     const Mask far = _mm512_mask_cmpgt_epu32_mask(m, from, _mm512_set1_epi32(31));
     if (__builtin_expect(far != 0 || base < 0, 0)) return gather(p, i, m);
