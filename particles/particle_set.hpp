@@ -31,12 +31,14 @@ struct ParticleSet {
   bool has_box = false;
   double box_min[3]{}, box_max[3]{};  // the axes beyond `dimension` are 0 in what is read
   int periodic[3]{};                  // only with a box
+  double tilt[3]{};                   // of the box: xy, xz, yz of hg_grid_def
 
   // Written where there are any; never read.
   std::vector<Column> columns;
   std::optional<Moment> moment;
 
   size_t count() const { return radii.size(); }
+  bool is_tilted() const { return tilt[0] != 0 || tilt[1] != 0 || tilt[2] != 0; }
   const double *center(size_t i) const { return &centers[i * static_cast<size_t>(dimension)]; }
   // `center` holds `dimension` numbers.
   void add(const double *center, double radius) {

@@ -45,6 +45,11 @@ module hgrid_types
     integer(c_int32_t), parameter, public :: HG_LEVELS_PAPER = 1
     integer(c_int32_t), parameter, public :: HG_LEVELS_USER = 2
 
+    !> hg_grid_def%images: two particles are a pair once at most, by their nearest images, or once for
+    !> each image in reach, also of a particle with itself.
+    integer(c_int32_t), parameter, public :: HG_NEAREST_IMAGE = 0
+    integer(c_int32_t), parameter, public :: HG_ALL_IMAGES = 1
+
     !> Neighbour lists: every pair in the row of its smaller id, or in both rows.
     integer(c_int32_t), parameter, public :: HG_HALF = 0
     integer(c_int32_t), parameter, public :: HG_FULL = 1
@@ -52,7 +57,7 @@ module hgrid_types
     !> The most levels that a grid can have.
     integer(c_int32_t), parameter, public :: HG_MAX_LEVELS = 64
 
-    !> Two particles that interact, by their ids; a < b.
+    !> Two particles that interact, by their ids; a < b, or with HG_ALL_IMAGES a <= b.
     type, bind(c) :: hg_pair
         integer(c_int32_t) :: a, b
     end type hg_pair
@@ -81,6 +86,9 @@ module hgrid_types
         real(c_double) :: cell_overhead = 0.0_c_double
         real(c_double) :: level_price = 0.0_c_double
         real(c_double) :: row_price = 0.0_c_double
+        real(c_double) :: tilt(3) = 0.0_c_double
+        integer(c_int32_t) :: touching = 0
+        integer(c_int32_t) :: images = HG_NEAREST_IMAGE
     end type hg_grid_def
 
     !> One level of the grid as it stands.

@@ -35,6 +35,7 @@ void read_box(const Table &top, const std::vector<particles::ParticleSet> &sourc
         std::find_if(sources.begin(), sources.end(), [](const particles::ParticleSet &set) { return set.has_box; });
     bounded = boxed != sources.end();
     if (bounded) {
+      if (boxed->is_tilted()) top.fail("box", "the box of the particles' file is tilted: give one along the axes");
       std::copy_n(boxed->box_min, 3, setup.box_min);
       std::copy_n(boxed->box_max, 3, setup.box_max);
     }

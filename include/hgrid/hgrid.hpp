@@ -147,6 +147,9 @@ class Grid {
   }
   void remove(size_t count, const int32_t *ids) { check(hg_remove(get(), count, ids)); }
   void clear() { check(hg_clear(get())); }
+  void set_box(const double *box_min, const double *box_max, const double *tilt = nullptr) {
+    check(hg_set_box(get(), box_min, box_max, tilt));
+  }
   void build() { check(hg_build(get())); }
 
   View<hg_pair> query_pairs() const { return detail::lent<hg_pair>(hg_query_pairs, get()); }

@@ -89,19 +89,25 @@ double RowReader::number(std::string_view field, int column) const {
   return value;
 }
 
-double RowReader::coordinate(std::string_view field, int axis) const {
-  const double value = number(field, columns_.axis[axis]);
-  if (!columns_.scaled[axis]) return value;
-  const double low = particles_.box_min[axis], high = particles_.box_max[axis];
-  const double place = low + value * (high - low);
-  if (!std::isfinite(place)) cursor_.fail(in_quotes(field) + " times the box length is out of the range of a double");
-  return place;
+// Scaled coordinates count edges of the box, of which those of later axes may lean over.
+double RowReader::place(const double (&values)[3], int axis) const {
+  if (!columns_.scaled[axis]) return values[axis];
+  const double low = particles_.box_min[axis], high = particles_.box_max[axis], *tilt = particles_.tilt;
+  double along = values[axis] * (high - low);
+  if (axis == 0) along += values[1] * tilt[0] + values[2] * tilt[1];
+  if (axis == 1) along += values[2] * tilt[2];
+  if (!std::isfinite(low + along))
+    cursor_.fail(in_quotes(text(values[axis])) + " times the box length is out of the range of a double");
+  return low + along;
 }
 
 void RowReader::append_center(const std::string_view (&fields)[kSlots]) {
-  for (int axis = 0; axis < particles_.dimension; axis++) particles_.centers.push_back(coordinate(fields[axis], axis));
+  double values[3] = {0, 0, 0};
+  for (int axis = 0; axis < 3; axis++)
+    if (columns_.axis[axis] >= 0) values[axis] = number(fields[axis], columns_.axis[axis]);
+  for (int axis = 0; axis < particles_.dimension; axis++) particles_.centers.push_back(place(values, axis));
   if (particles_.dimension == 3 || columns_.axis[2] < 0) return;
-  const double z = coordinate(fields[kZ], kZ);
+  const double z = place(values, kZ);
   if (!has_plane_) plane_ = z;
   has_plane_ = true;
   if (z != plane_)

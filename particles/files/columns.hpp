@@ -21,7 +21,7 @@ struct Columns {
   int axis[3] = {-1, -1, -1};      // the column of each coordinate; -1: the table has none
   int size = -1;                   // the column of the radius or diameter
   bool is_diameter = false;
-  bool scaled[3] = {false, false, false};  // the coordinate counts in box lengths from the box's lower corner
+  bool scaled[3] = {false, false, false};  // the coordinate counts in edges of the box from its lower corner
 
   // No more rows than this fit in so many bytes, whatever a file claims: a value and what ends it take two.
   size_t most_rows(size_t bytes) const { return bytes / (2 * names.size()) + 1; }
@@ -51,7 +51,7 @@ class RowReader {
 
   size_t split(std::string_view line, std::string_view (&fields)[kSlots]) const;
   double number(std::string_view field, int column) const;
-  double coordinate(std::string_view field, int axis) const;
+  double place(const double (&values)[3], int axis) const;
   void append_center(const std::string_view (&fields)[kSlots]);
 
   const LineCursor &cursor_;

@@ -14,7 +14,8 @@
 namespace particles {
 namespace {
 
-// Begins the comment line that holds the box: lower corner, upper corner, "periodic" and three flags.
+// Begins the comment line that holds the box: lower corner, upper corner, "periodic" and three flags, and where it is
+// tilted "tilt" and xy, xz, yz.
 constexpr char kBoxComment[] = "# box:";
 
 char separator_of(std::string_view header) {
@@ -55,17 +56,19 @@ Columns columns_of(const LineCursor &cursor, std::string_view header) {
   return columns;
 }
 
-// "# box: xmin ymin zmin xmax ymax zmax periodic 0 0 0"
+// "# box: xmin ymin zmin xmax ymax zmax periodic 0 0 0", or so and "tilt xy xz yz".
 void read_box(const LineCursor &cursor, std::string_view line, ParticleSet &particles) {
   const std::vector<std::string_view> words = split_words(line.substr(sizeof kBoxComment - 1));
-  if (words.size() != 10 || words[6] != "periodic")
+  const bool is_tilted = words.size() == 14 && words[10] == "tilt";
+  if ((words.size() != 10 && !is_tilted) || words[6] != "periodic")
     cursor.fail("the box must be six numbers, the word periodic and three flags, but the line is " + in_quotes(line));
+  const auto read = [&](std::string_view word, double &number) {
+    if (const char *fault = number_fault(word, number)) cursor.fail("box: " + in_quotes(word) + " " + fault);
+  };
   for (size_t axis = 0; axis < 3; axis++) {
-    for (const size_t end : {axis, axis + 3}) {
-      double &corner = end == axis ? particles.box_min[axis] : particles.box_max[axis];
-      if (const char *fault = number_fault(words[end], corner))
-        cursor.fail("box: " + in_quotes(words[end]) + " " + fault);
-    }
+    read(words[axis], particles.box_min[axis]);
+    read(words[axis + 3], particles.box_max[axis]);
+    if (is_tilted) read(words[axis + 11], particles.tilt[axis]);
     if (particles.box_max[axis] < particles.box_min[axis])
       cursor.fail("box: the upper corner " + in_quotes(words[axis + 3]) + " lies below the lower corner " +
                   in_quotes(words[axis]));
@@ -114,6 +117,10 @@ void write_box(Output &out, const ParticleSet &particles) {
   for (const double corner : particles.box_max) out << ' ' << corner;
   out << " periodic";
   for (const int flag : particles.periodic) out << ' ' << flag;
+  if (particles.is_tilted()) {
+    out << " tilt";
+    for (const double edge : particles.tilt) out << ' ' << edge;
+  }
   out << '\n';
 }
 

@@ -14,6 +14,7 @@ namespace particles {
 // Each in the file of its format.
 Reader read_csv, read_lammps, read_xyz;
 Writer write_csv, write_lammps, write_xyz, write_vtp;
+std::string loss_in_lammps(const ParticleSet &particles);
 std::string loss_in_xyz(const ParticleSet &particles);
 
 namespace {
@@ -48,7 +49,7 @@ const std::vector<Format> &all_formats() {
        read_csv, write_csv},
       {"lammps", "LAMMPS text dump", ".lammpstrj .dump .lammps",
        "ITEM: ATOMS naming x, y, z, unwrapped or scaled, and radius or diameter", begins_lammps, read_lammps,
-       write_lammps},
+       write_lammps, loss_in_lammps},
       {"xyz", "extended XYZ", ".xyz .extxyz", "Properties naming pos and radius", begins_xyz, read_xyz, write_xyz,
        loss_in_xyz},
       {"vtp", "VTK PolyData", ".vtp", "", never, nullptr, write_vtp},

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// LAMMPS text dumps ("dump custom"), in boxes without tilt. Read: one or several frames with columns x or xu or xs or
-// xsu (and so on) and radius or diameter. Written: one frame with the columns id, type, x, y, z, radius and further
-// ones.
+// LAMMPS text dumps ("dump custom"), in tilted boxes, too. Read: one or several frames with columns x or xu or xs or xsu
+// (and so on) and radius or diameter. Written: one frame with the columns id, type, x, y, z, radius and further ones.
 #include "particles/files/columns.hpp"
 #include "particles/files/reader.hpp"
 #include "particles/files/row_writer.hpp"
@@ -10,6 +9,7 @@
 #include "particles/text/output.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace particles {
 namespace {
@@ -28,11 +28,36 @@ std::string_view section_name(const LineCursor &cursor, std::string_view line) {
 
 bool begins(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
-// "BOX BOUNDS pp pp ff" and three lines "low high".
+// How far a tilted box reaches beyond its two corners. A dump tells the bounds of all of it.
+struct Overhang {
+  double low[3], high[3];
+};
+
+Overhang overhang_of(const double (&tilt)[3]) {
+  const auto [x_low, x_high] = std::minmax({0.0, tilt[0], tilt[1], tilt[0] + tilt[1]});
+  const auto [y_low, y_high] = std::minmax({0.0, tilt[2]});
+  return {{x_low, y_low, 0}, {x_high, y_high, 0}};
+}
+
+void take_off_overhang(const LineCursor &cursor, ParticleSet &box) {
+  const Overhang beyond = overhang_of(box.tilt);
+  for (int axis = 0; axis < 3; axis++) {
+    double &low = box.box_min[axis], &high = box.box_max[axis];
+    low -= beyond.low[axis];
+    high -= beyond.high[axis];
+    if (!(low <= high) || !std::isfinite(low) || !std::isfinite(high))
+      cursor.fail(std::string("the bounds on axis ") + "xyz"[axis] + " leave no room for a box of this tilt");
+  }
+}
+
+// "BOX BOUNDS pp pp ff" and three lines "low high", or "BOX BOUNDS xy xz yz pp pp pp" and three lines "low high tilt".
 void read_bounds(LineCursor &cursor, std::string_view name, ParticleSet &box) {
-  const std::vector<std::string_view> flags = split_words(name.substr(std::string_view("BOX BOUNDS").size()));
+  std::vector<std::string_view> flags = split_words(name.substr(std::string_view("BOX BOUNDS").size()));
+  const bool is_tilted = flags.size() == 6 && flags[0] == "xy" && flags[1] == "xz" && flags[2] == "yz";
+  if (is_tilted) flags.erase(flags.begin(), flags.begin() + 3);
   if (flags.empty()) cursor.fail("the boundary flags (such as pp pp ff) are missing");
-  if (flags.size() != 3) cursor.fail("triclinic boxes cannot be read, this one is " + in_quotes(name));
+  if (flags.size() != 3)
+    cursor.fail("three boundary flags should stand here, in tilted boxes after 'xy xz yz', not " + in_quotes(name));
   for (size_t axis = 0; axis < 3; axis++) {
     if (flags[axis].size() != 2 || flags[axis].find_first_not_of("pfsm") != std::string_view::npos)
       cursor.fail("the boundary flag " + in_quotes(flags[axis]) + " is unknown");
@@ -41,12 +66,17 @@ void read_bounds(LineCursor &cursor, std::string_view name, ParticleSet &box) {
   for (size_t axis = 0; axis < 3; axis++) {
     const std::string_view line = cursor.expect("a line of the box bounds");
     const std::vector<std::string_view> ends = split_words(line);
-    if (ends.size() != 2) cursor.fail("a lower and an upper bound should stand here, not " + in_quotes(line));
+    if (ends.size() != (is_tilted ? 3 : 2))
+      cursor.fail(std::string("a lower and an upper bound ") + (is_tilted ? "and a tilt " : "") +
+                  "should stand here, not " + in_quotes(line));
     if (const char *fault = number_fault(ends[0], box.box_min[axis])) cursor.fail(in_quotes(ends[0]) + " " + fault);
     if (const char *fault = number_fault(ends[1], box.box_max[axis])) cursor.fail(in_quotes(ends[1]) + " " + fault);
     if (box.box_max[axis] < box.box_min[axis])
       cursor.fail("the upper bound " + in_quotes(ends[1]) + " lies below the lower bound " + in_quotes(ends[0]));
+    if (!is_tilted) continue;
+    if (const char *fault = number_fault(ends[2], box.tilt[axis])) cursor.fail(in_quotes(ends[2]) + " " + fault);
   }
+  if (is_tilted) take_off_overhang(cursor, box);
   box.has_box = true;
 }
 
@@ -57,6 +87,14 @@ void find_axis(const LineCursor &cursor, Columns &columns, int axis) {
     columns.scaled[axis] = kind[0] == 's';
     if (columns.axis[axis] >= 0) return;
   }
+}
+
+// Where edges lean over, a place is known by its scaled coordinates together.
+void refuse_half_scaled(const LineCursor &cursor, const Columns &columns) {
+  const int *axis = columns.axis;
+  for (int k = 1; k < 3; k++)
+    if (axis[k] >= 0 && columns.scaled[k] != columns.scaled[0])
+      cursor.fail(std::string("in a tilted box x and ") + "xyz"[k] + " must be scaled both or neither");
 }
 
 // Reads the head of a frame up to the rows, which it leaves to the caller. False at the end of the file.
@@ -78,6 +116,7 @@ bool read_head(LineCursor &cursor, Frame &frame) {
       if (!has_count || !frame.box.has_box) cursor.fail("NUMBER OF ATOMS and BOX BOUNDS must stand before ATOMS");
       for (const std::string_view word : split_words(name.substr(5))) frame.columns.names.emplace_back(word);
       for (int axis = 0; axis < 3; axis++) find_axis(cursor, frame.columns, axis);
+      if (frame.box.is_tilted()) refuse_half_scaled(cursor, frame.columns);
       find_size_column(cursor, frame.columns);
       frame.rows = cursor.position();
       return true;
@@ -155,17 +194,32 @@ void write_titles(Output &out, const Column &column) {
 
 }  // namespace
 
+std::string loss_in_lammps(const ParticleSet &particles) {
+  const Overhang beyond = overhang_of(particles.tilt);
+  for (int axis = 0; axis < 3; axis++) {
+    const double low = particles.box_min[axis], high = particles.box_max[axis];
+    if (particles.periodic[axis] && (low + beyond.low[axis] - beyond.low[axis] != low ||
+                                     high + beyond.high[axis] - beyond.high[axis] != high))
+      return std::string("a LAMMPS dump stores the bounds of a tilted box, which cannot hold this one on axis ") +
+             "xyz"[axis] + " exactly; write CSV";
+  }
+  return "";
+}
+
 void write_lammps(Output &out, const ParticleSet &particles) {
   const Moment moment = particles.moment.value_or(Moment{0, 0});
   if (particles.moment) out << "ITEM: TIME\n" << moment.time << '\n';
   out << "ITEM: TIMESTEP\n" << moment.step << "\nITEM: NUMBER OF ATOMS\n" << particles.count();
-  out << "\nITEM: BOX BOUNDS";
+  out << "\nITEM: BOX BOUNDS" << (particles.is_tilted() ? " xy xz yz" : "");
   for (const int flag : particles.periodic) out << (flag ? " pp" : particles.has_box ? " ff" : " ss");
   out << '\n';
+  const Overhang beyond = overhang_of(particles.tilt);
   for (int axis = 0; axis < 3; axis++) {
-    double low = particles.box_min[axis], high = particles.box_max[axis];
+    double low = particles.box_min[axis] + beyond.low[axis], high = particles.box_max[axis] + beyond.high[axis];
     if (!particles.has_box) bounds_of(particles, axis, low, high);
-    out << low << ' ' << high << '\n';
+    out << low << ' ' << high;
+    if (particles.is_tilted()) out << ' ' << particles.tilt[axis];
+    out << '\n';
   }
   out << "ITEM: ATOMS id type x y z radius";
   for (const Column &column : particles.columns) write_titles(out, column);

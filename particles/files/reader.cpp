@@ -6,6 +6,8 @@
 #include "particles/error.hpp"
 #include "particles/text/text_file.hpp"
 
+#include <algorithm>
+
 namespace particles {
 namespace {
 
@@ -26,8 +28,15 @@ ParticleSet read_particles(const std::string &path, const ReadOptions &options) 
   for (int axis = particles.dimension; axis < 3; axis++) {
     particles.box_min[axis] = particles.box_max[axis] = 0;
     particles.periodic[axis] = 0;
+    particles.tilt[1] = particles.tilt[2] = 0;
   }
   return particles;
+}
+
+void require_upright(const ParticleSet &particles, const std::string &path) {
+  const bool is_open = std::all_of(particles.periodic, particles.periodic + 3, [](int flag) { return flag == 0; });
+  if (particles.is_tilted() && !is_open)
+    throw Error(path, 0, "the periodic box is tilted, and only boxes along the axes can be used here");
 }
 
 }  // namespace particles

@@ -20,4 +20,7 @@ struct ReadOptions {
 // Throws Error naming file, line and value if the file is not what it should be.
 ParticleSet read_particles(const std::string &path, const ReadOptions &options = {});
 
+// For those who know periodic boxes along the axes only: throws Error naming `path` if this one is tilted.
+void require_upright(const ParticleSet &particles, const std::string &path);
+
 }  // namespace particles

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Extended XYZ: a count, a line of key=value, one row for each particle; one or several frames. Properties must name
-// pos and radius (or r, diameter, d); Lattice, pbc and Origin set the box. As usual for the format, a Lattice without
-// pbc is periodic on all axes.
+// pos and radius (or r, diameter, d); Lattice, pbc and Origin set the box. The Lattice is that of hg_grid_def: its first
+// edge along x, its second without z. As usual for the format, a Lattice without pbc is periodic on all axes.
 #include "particles/files/columns.hpp"
 #include "particles/files/reader.hpp"
 #include "particles/files/row_writer.hpp"
@@ -55,15 +55,19 @@ void read_lattice(const LineCursor &cursor, std::string_view text, const Keys &k
   const std::vector<double> edges = numbers(cursor, "Lattice", text, 9);
   std::vector<double> origin(3, 0.0);
   if (const auto found = keys.find("origin"); found != keys.end()) origin = numbers(cursor, "Origin", found->second, 3);
-  for (size_t k = 0; k < 9; k++)
-    if (k % 4 != 0 && edges[k] != 0)
-      cursor.fail("only boxes along the axes can be read, but the Lattice is " + in_quotes(text));
+  for (const size_t above : {1, 2, 5})
+    if (edges[above] != 0)
+      cursor.fail("the cell must be lower triangular ('ax 0 0 bx by 0 cx cy cz'), but the Lattice is " +
+                  in_quotes(text));
   for (size_t axis = 0; axis < 3; axis++) {
     if (edges[4 * axis] < 0) cursor.fail("the Lattice " + in_quotes(text) + " has a negative edge");
     box.box_min[axis] = origin[axis];
     box.box_max[axis] = origin[axis] + edges[4 * axis];
     box.periodic[axis] = 1;
   }
+  box.tilt[0] = edges[3];
+  box.tilt[1] = edges[6];
+  box.tilt[2] = edges[7];
   box.has_box = true;
 }
 
@@ -168,8 +172,9 @@ ParticleSet read_xyz(const TextFile &file, const ReadOptions &options) {
 namespace {
 
 void write_box(Output &out, const ParticleSet &particles) {
-  const double *low = particles.box_min, *high = particles.box_max;
-  out << "Lattice=\"" << high[0] - low[0] << " 0 0 0 " << high[1] - low[1] << " 0 0 0 " << high[2] - low[2] << "\" ";
+  const double *low = particles.box_min, *high = particles.box_max, *tilt = particles.tilt;
+  out << "Lattice=\"" << high[0] - low[0] << " 0 0 " << tilt[0] << ' ' << high[1] - low[1] << " 0 " << tilt[1] << ' '
+      << tilt[2] << ' ' << high[2] - low[2] << "\" ";
   out << "Origin=\"" << low[0] << ' ' << low[1] << ' ' << low[2] << "\" ";
 }
 

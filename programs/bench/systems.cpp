@@ -87,6 +87,7 @@ System load_system(const std::string &source, int sweeps) {
   system.name = std::filesystem::path(source).stem().string();
   system.particles = particles::read_particles(source);
   if (system.particles.count() == 0) throw particles::Error(source, 0, "no particles to time");
+  particles::require_upright(system.particles, source);
   return system;
 }
 

@@ -9,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <vector>
 
 namespace command {
@@ -26,10 +25,12 @@ int32_t accuracy_of(const std::string &word) {
 hg_grid_def grid_def(const GridOptions &options, const particles::ParticleSet &particles,
                      const std::vector<double> &cell_sizes) {
   hg_grid_def def = hg_default_grid_def();
-  def.dimension = particles.dimension;
+  particles::set_box(particles, def);
   def.index_base = options.index_base;
   def.margin = options.margin;
   def.interaction = options.max_range ? HG_MAX_RANGE : HG_CONTACT;
+  def.touching = options.touching ? 1 : 0;
+  def.images = options.images == "all" ? HG_ALL_IMAGES : HG_NEAREST_IMAGE;
   def.accuracy = accuracy_of(options.accuracy);
   def.pair_order = options.order == "id" ? HG_ORDER_ID : HG_ORDER_GRID;
   def.level_rule = options.levels == "paper" ? HG_LEVELS_PAPER : HG_LEVELS_AUTO;
@@ -43,11 +44,6 @@ hg_grid_def grid_def(const GridOptions &options, const particles::ParticleSet &p
   def.level_price = options.level_price;
   def.row_price = options.row_price;
   def.thread_count = options.threads;
-  if (particles.has_box) {
-    std::copy_n(particles.box_min, 3, def.box_min);
-    std::copy_n(particles.box_max, 3, def.box_max);
-    std::copy_n(particles.periodic, 3, def.periodic);
-  }
   return def;
 }
 
@@ -69,6 +65,15 @@ void add_grid_options(CLI::App &command, GridOptions &options) {
       ->check(not_negative())
       ->group(group);
   command.add_flag("--max-range", options.max_range, "Radii are ranges: |xi - xj| < max(ri, rj) + margin")
+      ->group(group);
+  command.add_flag("--touching", options.touching, "Spheres that exactly touch count, too: <= instead of <")
+      ->group(group);
+  command
+      .add_option("--images", options.images,
+                  "Two particles meet once, by their nearest images (nearest), or once for each periodic image in\n"
+                  "reach, also a particle with its own, in boxes of any length (all)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"nearest", "all"}))
       ->group(group);
   command.add_option("--accuracy", options.accuracy, "How overlap is decided: exact, double or float")
       ->capture_default_str()

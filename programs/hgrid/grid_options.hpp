@@ -19,6 +19,8 @@ namespace command {
 struct GridOptions {
   double margin = 0;
   bool max_range = false;
+  bool touching = false;
+  std::string images = "nearest";  // nearest, all
   std::string accuracy = "exact";  // exact, double, float
   std::string order = "grid";      // id, grid
   std::string levels = "auto";     // auto, paper
@@ -31,10 +33,8 @@ struct GridOptions {
   int threads = 0;     // 0: all
 };
 
-// Adds --margin, --max-range, --accuracy, --order, --levels, --level-count, --cell-sizes, --cell-overhead,
-// --level-price,
-// --row-price, --threads.
-// `options` must outlive the parse.
+// Adds --margin, --max-range, --touching, --images, --accuracy, --order, --levels, --level-count, --cell-sizes,
+// --cell-overhead, --level-price, --row-price, --threads. `options` must outlive the parse.
 void add_grid_options(CLI::App &command, GridOptions &options);
 
 // Adds --level-price and --row-price, the prices of `hgrid calibrate`, which do not go with `instead`.

@@ -9,6 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+
 namespace command {
 namespace {
 
@@ -23,7 +25,19 @@ void apply_box(const std::string &text, particles::ParticleSet &particles) {
     particles.box_min[axis] = corners[axis];
     particles.box_max[axis] = corners[dimension + axis];
   }
+  std::fill_n(particles.tilt, 3, 0);
   particles.has_box = true;
+}
+
+void apply_tilt(const std::string &text, particles::ParticleSet &particles) {
+  if (!particles.has_box) throw CLI::ValidationError("--tilt", "the file holds no box; give one with --box");
+  const std::vector<double> tilt = number_list("--tilt", text);
+  const size_t needed = particles.dimension == 2 ? 1 : 3;
+  if (tilt.size() != needed)
+    throw CLI::ValidationError("--tilt", "needs " + std::to_string(needed) + " numbers for particles in " +
+                                             std::to_string(particles.dimension) + " dimensions, got " +
+                                             std::to_string(tilt.size()));
+  std::copy_n(tilt.begin(), needed, particles.tilt);
 }
 
 void apply_periodic(const std::string &letters, particles::ParticleSet &particles) {
@@ -57,6 +71,10 @@ void add_particle_options(CLI::App &command, ParticleOptions &options) {
       ->check(CLI::IsMember({2, 3}))
       ->group(group);
   command.add_option("--box", options.box, "XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX instead of the file's box")->group(group);
+  command
+      .add_option("--tilt", options.tilt,
+                  "XY,XZ,YZ instead of the file's: the cell's edges are (lx,0,0), (XY,ly,0), (XZ,YZ,lz)")
+      ->group(group);
   auto *periodic =
       command.add_option("--periodic", options.periodic, "The periodic axes, such as xy, instead of the file's")
           ->group(group);
@@ -72,6 +90,7 @@ particles::ParticleSet load_particles(const ParticleOptions &options) {
   read.dimension = options.dimension;
   particles::ParticleSet particles = particles::read_particles(options.file, read);
   if (!options.box.empty()) apply_box(options.box, particles);
+  if (!options.tilt.empty()) apply_tilt(options.tilt, particles);
   if (!options.periodic.empty()) apply_periodic(options.periodic, particles);
   if (options.open)
     for (int &flag : particles.periodic) flag = 0;

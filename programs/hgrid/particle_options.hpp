@@ -21,9 +21,10 @@ struct ParticleOptions {
   std::string periodic;  // letters of the periodic axes, "" = as the file says
   bool open = false;     // no periodic axis, whatever the file says
   std::string box;       // lower corner, upper corner with commas; empty: the file's
+  std::string tilt;      // xy, xz, yz with commas; empty: the file's, of a box that is given none
 };
 
-// Adds FILE, --format, --frame, --dimension, --periodic, --open and --box. `options` must outlive the parse.
+// Adds FILE, --format, --frame, --dimension, --periodic, --open, --box and --tilt. `options` must outlive the parse.
 void add_particle_options(CLI::App &command, ParticleOptions &options);
 
 // Reads the file and applies the options for the box.

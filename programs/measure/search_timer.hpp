@@ -17,12 +17,7 @@ namespace measure {
 // The defaults for these particles: their dimension and box.
 inline hg_grid_def def_of(const particles::ParticleSet &particles) {
   hg_grid_def def = hg_default_grid_def();
-  def.dimension = particles.dimension;
-  for (int axis = 0; axis < particles.dimension && particles.has_box; axis++) {
-    def.box_min[axis] = particles.box_min[axis];
-    def.box_max[axis] = particles.box_max[axis];
-    def.periodic[axis] = particles.periodic[axis];
-  }
+  particles::set_box(particles, def);
   return def;
 }
 

@@ -12,7 +12,7 @@
 #define SIZES(X)       \
   X(hg_allocator, 32)  \
   X(hg_pair, 8)        \
-  X(hg_grid_def, 152)  \
+  X(hg_grid_def, 184)  \
   X(hg_level, 32)      \
   X(hg_level_cost, 24) \
   X(hg_grid_stats, 104)
@@ -44,6 +44,9 @@
   X(hg_grid_def, cell_overhead, 128)    \
   X(hg_grid_def, level_price, 136)      \
   X(hg_grid_def, row_price, 144)        \
+  X(hg_grid_def, tilt, 152)             \
+  X(hg_grid_def, touching, 176)         \
+  X(hg_grid_def, images, 180)           \
   X(hg_level, cell_size, 0)             \
   X(hg_level, largest_radius, 8)        \
   X(hg_level, occupancy, 16)            \
@@ -86,6 +89,8 @@
   X(HG_LEVELS_AUTO, 0)   \
   X(HG_LEVELS_PAPER, 1)  \
   X(HG_LEVELS_USER, 2)   \
+  X(HG_NEAREST_IMAGE, 0) \
+  X(HG_ALL_IMAGES, 1)    \
   X(HG_HALF, 0)          \
   X(HG_FULL, 1)          \
   X(HG_MAX_LEVELS, 64)

@@ -109,6 +109,9 @@ contains
         call compare('hg_grid_def%cell_overhead', offset(c_loc(it%cell_overhead), c_loc(it)))
         call compare('hg_grid_def%level_price', offset(c_loc(it%level_price), c_loc(it)))
         call compare('hg_grid_def%row_price', offset(c_loc(it%row_price), c_loc(it)))
+        call compare('hg_grid_def%tilt', offset(c_loc(it%tilt), c_loc(it)))
+        call compare('hg_grid_def%touching', offset(c_loc(it%touching), c_loc(it)))
+        call compare('hg_grid_def%images', offset(c_loc(it%images), c_loc(it)))
     end subroutine compare_grid_def
 
     subroutine compare_level()
@@ -170,6 +173,8 @@ contains
         call compare('HG_LEVELS_AUTO', int(HG_LEVELS_AUTO, c_int64_t))
         call compare('HG_LEVELS_PAPER', int(HG_LEVELS_PAPER, c_int64_t))
         call compare('HG_LEVELS_USER', int(HG_LEVELS_USER, c_int64_t))
+        call compare('HG_NEAREST_IMAGE', int(HG_NEAREST_IMAGE, c_int64_t))
+        call compare('HG_ALL_IMAGES', int(HG_ALL_IMAGES, c_int64_t))
         call compare('HG_HALF', int(HG_HALF, c_int64_t))
         call compare('HG_FULL', int(HG_FULL, c_int64_t))
         call compare('HG_MAX_LEVELS', int(HG_MAX_LEVELS, c_int64_t))

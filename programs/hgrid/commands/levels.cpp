@@ -41,6 +41,8 @@ void print_sizes(particles::Output &out, const particles::ParticleSet &particles
   for (int axis = 0; axis < particles.dimension; axis++)
     out << formatted(" %.6g..%.6g%s", particles.box_min[axis], particles.box_max[axis],
                      particles.periodic[axis] ? " (periodic)" : "");
+  const double *tilt = particles.tilt;
+  if (particles.is_tilted()) out << formatted(", tilt %.6g %.6g %.6g", tilt[0], tilt[1], tilt[2]);
   out << "\n\n";
 }
 

@@ -86,7 +86,8 @@ void add_pairs(CLI::App &parent) {
   add_grid_options(command, options->grid);
   auto *output = command
                      .add_option("-o,--output", options->output,
-                                 "Where the contacts go: CSV with the columns a,b, a < b; - for standard output")
+                                 "Where the contacts go: CSV with the columns a,b, a < b (a <= b with --images all);\n"
+                                 "- for standard output")
                      ->capture_default_str();
   command.add_flag("--count", options->count_only, "Only count them, and tell the time it took")->excludes(output);
   command
@@ -95,12 +96,16 @@ void add_pairs(CLI::App &parent) {
       ->check(CLI::IsMember({0, 1}));
   command.footer(
       "a and b are the places of the particles in the file, the first being 0 (or 1 with --base 1).\n"
-      "Spheres that exactly touch are no contact.\n"
+      "Spheres that exactly touch are no contact, unless --touching says so. Each contact stands on one line; with\n"
+      "--images all there is a line for each periodic image in reach, so that a,b may stand on several, and a,a where a\n"
+      "particle meets its own image.\n"
       "Examples:\n"
       "  hgrid pairs packing.csv --output contacts.csv\n"
       "  hgrid pairs dump.lammpstrj --frame 1 --count\n"
       "  hgrid pairs packing.xyz --margin 0.1 --order id --base 1\n"
-      "  hgrid pairs open.csv --box 0,0,0,1,1,1 --periodic xy");
+      "  hgrid pairs open.csv --box 0,0,0,1,1,1 --periodic xy\n"
+      "  hgrid pairs sheared.csv --box 0,0,0,1,1,1 --periodic xyz --tilt 0.25,0,0\n"
+      "  hgrid pairs crystal.xyz --touching --images all");
   command.callback([options] { run(*options); });
 }
 

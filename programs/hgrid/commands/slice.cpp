@@ -4,6 +4,7 @@
 #include "programs/draw/slice.hpp"
 
 #include "particles/error.hpp"
+#include "particles/files/reader.hpp"
 #include "particles/text/output.hpp"
 #include "programs/draw/slice_picture.hpp"
 #include "programs/hgrid/command.hpp"
@@ -40,6 +41,7 @@ std::vector<draw::Level> levels_of(const SliceOptions &options, const particles:
 
 void run_slice(const SliceOptions &options) {
   const particles::ParticleSet particles = load_particles(options.particles);
+  particles::require_upright(particles, options.particles.file);
   if (particles.count() == 0) throw particles::Error(options.particles.file, 0, "no particles to draw");
   const int axis = options.axis[0] - 'x';
   const draw::Slice slice = draw::cut(particles, levels_of(options, particles), axis, options.at);
