@@ -1,7 +1,7 @@
 ! SPDX-FileCopyrightText: The libhgrid developers
 ! SPDX-License-Identifier: BSD-3-Clause
 
-!> The calls that change which particles a grid holds and where they are.
+!> The calls that change which particles a grid holds, where they are, and the box around them.
 module hgrid_particles
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_float, c_int32_t, c_ptr, &
         c_size_t
@@ -11,7 +11,7 @@ module hgrid_particles
     implicit none
     private
 
-    public :: c_hg_build, c_hg_clear, c_hg_insert, c_hg_move, c_hg_remove
+    public :: c_hg_build, c_hg_clear, c_hg_insert, c_hg_move, c_hg_remove, c_hg_set_box
     public :: hg_particles
 
     !> A grid that is filled and made ready.
@@ -24,6 +24,10 @@ module hgrid_particles
         generic, public :: insert => insert_real64, insert_real32
         !> move(x), move(x, r): all live particles, by ascending id
         generic, public :: move => move_real64, move_radii_real64, move_real32, move_radii_real32
+        procedure :: set_box_real64, set_tilted_box_real64, set_box_real32, set_tilted_box_real32
+        !> set_box(box_min, box_max), set_box(box_min, box_max, tilt): three values each, also in 2D
+        generic, public :: set_box => set_box_real64, set_tilted_box_real64, set_box_real32, &
+            set_tilted_box_real32
         procedure, public :: remove
         procedure, public :: clear
         procedure, public :: build
@@ -66,6 +70,19 @@ module hgrid_particles
             type(c_ptr), value :: grid
             integer(c_int32_t) :: status
         end function c_hg_clear
+
+        function c_hg_set_box(grid, box_min, box_max, tilt) bind(c, name='hg_set_box') &
+            result(status)
+            import
+            type(c_ptr), value :: grid
+            !> Lower corner; open axes are not read
+            real(c_double), intent(in) :: box_min(3)
+            !> Upper corner
+            real(c_double), intent(in) :: box_max(3)
+            !> xy, xz, yz; absent means none
+            real(c_double), intent(in), optional :: tilt(3)
+            integer(c_int32_t) :: status
+        end function c_hg_set_box
 
         function c_hg_build(grid) bind(c, name='hg_build') result(status)
             import
@@ -154,6 +171,69 @@ contains
 
         if (widened('move', x, r, x64, r64, err)) call self%move_radii_real64(x64, r64, err)
     end subroutine move_radii_real32
+
+    subroutine set_box_real64(self, box_min, box_max, err)
+        class(hg_particles), intent(inout) :: self
+        !> Lower and upper corner (3)
+        real(c_double), intent(in), contiguous :: box_min(:), box_max(:)
+        type(hg_error), intent(out), optional :: err
+
+        call set_any_box(self, box_min, box_max, err=err)
+    end subroutine set_box_real64
+
+    subroutine set_tilted_box_real64(self, box_min, box_max, tilt, err)
+        class(hg_particles), intent(inout) :: self
+        !> Lower and upper corner (3)
+        real(c_double), intent(in), contiguous :: box_min(:), box_max(:)
+        !> xy, xz, yz
+        real(c_double), intent(in), contiguous :: tilt(:)
+        type(hg_error), intent(out), optional :: err
+
+        call set_any_box(self, box_min, box_max, tilt, err)
+    end subroutine set_tilted_box_real64
+
+    subroutine set_box_real32(self, box_min, box_max, err)
+        class(hg_particles), intent(inout) :: self
+        !> Lower and upper corner (3)
+        real(c_float), intent(in) :: box_min(:), box_max(:)
+        type(hg_error), intent(out), optional :: err
+
+        call set_any_box(self, real(box_min, c_double), real(box_max, c_double), err=err)
+    end subroutine set_box_real32
+
+    subroutine set_tilted_box_real32(self, box_min, box_max, tilt, err)
+        class(hg_particles), intent(inout) :: self
+        !> Lower and upper corner (3)
+        real(c_float), intent(in) :: box_min(:), box_max(:)
+        !> xy, xz, yz
+        real(c_float), intent(in) :: tilt(:)
+        type(hg_error), intent(out), optional :: err
+
+        call set_any_box(self, real(box_min, c_double), real(box_max, c_double), &
+            real(tilt, c_double), err)
+    end subroutine set_tilted_box_real32
+
+    !> Gives a periodic grid a new box; particles stay where they are.
+    subroutine set_any_box(self, box_min, box_max, tilt, err)
+        class(hg_particles), intent(in) :: self
+        !> Lower and upper corner (3); values of open axes do not count
+        real(c_double), intent(in), contiguous :: box_min(:), box_max(:)
+        !> xy, xz, yz; absent means none
+        real(c_double), intent(in), contiguous, optional :: tilt(:)
+        type(hg_error), intent(out), optional :: err
+
+        integer :: tilts
+
+        tilts = 3
+        if (present(tilt)) tilts = size(tilt)
+        if (any([size(box_min), size(box_max), tilts] /= 3)) then
+            call raise(HG_ERR_ARGUMENT, 'set_box: box_min'//shape_text(shape(box_min))// &
+                ', box_max'//shape_text(shape(box_max))//' and tilt'//shape_text([tilts])// &
+                ' must hold three values each, also in two dimensions', err)
+            return
+        end if
+        call conclude(self, c_hg_set_box(handle_of(self), box_min, box_max, tilt), 'set_box', err)
+    end subroutine set_any_box
 
     !> Removes particles; their ids are not given out again before clear.
     subroutine remove(self, ids, err)

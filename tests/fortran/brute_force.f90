@@ -30,6 +30,10 @@ module brute_force
         integer(c_int64_t) :: margin = 0
         !> Length of the periodic box per axis, even; 0 is an open axis
         integer(c_int64_t) :: box(3) = 0
+        !> xy, xz, yz of the periodic box, each at most half the length it leans over
+        integer(c_int64_t) :: tilt(3) = 0
+        !> Whether touching counts
+        logical :: touching = .false.
     end type rule
 
 contains
@@ -111,19 +115,46 @@ contains
         type(rule), intent(in) :: by
         logical :: answer
 
-        integer(c_int64_t) :: gap, reach, square
-        integer :: k
+        integer(c_int64_t) :: reach
 
-        square = 0
-        do k = 1, size(self%x, 1)
-            gap = self%x(k, i) - self%x(k, j)
-            if (by%box(k) > 0) gap = modulo(gap + by%box(k)/2, by%box(k)) - by%box(k)/2
-            square = square + gap**2
-        end do
         reach = self%r(i) + self%r(j)
         if (by%max_range) reach = max(self%r(i), self%r(j))
-        answer = square < (reach + by%margin)**2
+        reach = reach + by%margin
+        if (by%touching) then
+            answer = least_square(self, i, j, by) <= reach**2
+        else
+            answer = least_square(self, i, j, by) < reach**2
+        end if
     end function interact
+
+    !> The squared distance of the nearest images. Places lie less than a box apart.
+    pure function least_square(self, i, j, by) result(least)
+        !> The particles
+        type(scene), intent(in) :: self
+        !> One of them
+        integer, intent(in) :: i
+        !> Another one
+        integer, intent(in) :: j
+        !> The rule
+        type(rule), intent(in) :: by
+        integer(c_int64_t) :: least
+
+        integer(c_int64_t) :: gap(3)
+        integer :: n1, n2, n3, images(3)
+
+        gap = 0
+        gap(:size(self%x, 1)) = self%x(:, i) - self%x(:, j)
+        images = merge(2, 0, by%box > 0)
+        least = huge(least)
+        do n3 = -images(3), images(3)
+            do n2 = -images(2), images(2)
+                do n1 = -images(1), images(1)
+                    least = min(least, (gap(1) + n1*by%box(1) + n2*by%tilt(1) + n3*by%tilt(2))**2 &
+                        + (gap(2) + n2*by%box(2) + n3*by%tilt(3))**2 + (gap(3) + n3*by%box(3))**2)
+                end do
+            end do
+        end do
+    end function least_square
 
     !> (n, n): true above the diagonal where two particles interact.
     function contact_matrix(self, by) result(matrix)

@@ -32,6 +32,9 @@ contains
         call check(all(def%periodic == 0), 'default periodic')
         call check(abs(def%margin) + abs(def%skin) <= 0, 'default margin and skin')
         call check(def%cell_overhead < 0, 'default cell_overhead is the rule''s own')
+        call check(all(abs(def%tilt) <= 0), 'default tilt')
+        call check(def%touching == 0, 'default touching')
+        call check(def%images == HG_NEAREST_IMAGE, 'default images')
         call check(def%level_price < 0 .and. def%row_price < 0, 'default prices are the library''s own')
     end subroutine test_defaults
 
