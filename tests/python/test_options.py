@@ -16,13 +16,14 @@ class Options(unittest.TestCase):
     def test_defaults_are_those_of_the_library(self):
         ours = {name: p.default for name, p in inspect.signature(hgrid.Grid).parameters.items()}
         library = capi.hg_grid_def()
-        names = "dimension thread_count index_base level_count margin skin cell_overhead level_price row_price"
+        names = "dimension thread_count index_base touching level_count margin skin cell_overhead level_price row_price"
         for name in names.split():
             with self.subTest(name=name):
                 self.assertEqual(ours[name], getattr(library, name))
         words = {
             "interaction": (library.interaction, {"contact": hgrid.HG_CONTACT}),
             "accuracy": (library.accuracy, {"exact": hgrid.HG_EXACT}),
+            "images": (library.images, {"nearest": hgrid.HG_NEAREST_IMAGE}),
             "order": (library.pair_order, {"grid": hgrid.HG_ORDER_GRID}),
         }
         for name, (value, constants) in words.items():

@@ -12,6 +12,7 @@ constants HG_... are those of the C interface.
 """
 
 from .capi import (
+    HG_ALL_IMAGES,
     HG_CONTACT,
     HG_DOUBLE,
     HG_ERR_ARGUMENT,
@@ -29,6 +30,7 @@ from .capi import (
     HG_LEVELS_USER,
     HG_MAX_LEVELS,
     HG_MAX_RANGE,
+    HG_NEAREST_IMAGE,
     HG_OK,
     HG_ORDER_GRID,
     HG_ORDER_ID,

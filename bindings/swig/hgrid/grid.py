@@ -7,13 +7,14 @@ import threading
 
 import numpy as np
 
-from . import arrays, capi
+from . import arrays, boxes, capi
 from .errors import ArgumentError, StateError
 from .records import Level, LevelCost, Stats, record
 
 _INTERACTIONS = {"contact": capi.HG_CONTACT, "max_range": capi.HG_MAX_RANGE}
 _ACCURACIES = {"exact": capi.HG_EXACT, "double": capi.HG_DOUBLE, "float": capi.HG_FLOAT}
 _ORDERS = {"grid": capi.HG_ORDER_GRID, "id": capi.HG_ORDER_ID}
+_IMAGES = {"nearest": capi.HG_NEAREST_IMAGE, "all": capi.HG_ALL_IMAGES}
 _LEVEL_RULES = {"auto": capi.HG_LEVELS_AUTO, "paper": capi.HG_LEVELS_PAPER, "user": capi.HG_LEVELS_USER}
 
 
@@ -26,19 +27,13 @@ def _choice(name, value, words):
     return words[value]
 
 
-def _set_box(definition, dimension, periodic, box):
-    """Fills the three axes of the definition; those that the dimension lacks stay open and without extent."""
-    unused = [0.0] * (3 - dimension)
-    if periodic is not None:
-        flags = np.asarray(periodic)
-        arrays.check_shape(flags, "periodic", (dimension,))
-        if flags.dtype.kind not in "biu":
-            raise TypeError(f"periodic must hold truth values, not {flags.dtype}")
-        definition.periodic = [float(bool(flag)) for flag in flags] + unused
-    if box is not None:
-        corners = arrays.reals(box, "box", (2, dimension))
-        definition.box_min = corners[0].tolist() + unused
-        definition.box_max = corners[1].tolist() + unused
+def _flags(periodic, dimension):
+    """One number per axis, 0 or 1; those that the dimension lacks stay open."""
+    flags = np.asarray(periodic)
+    arrays.check_shape(flags, "periodic", (dimension,))
+    if flags.dtype.kind not in "biu":
+        raise TypeError(f"periodic must hold truth values, not {flags.dtype}")
+    return [float(bool(flag)) for flag in flags] + [0.0] * (3 - dimension)
 
 
 class Grid:
@@ -47,7 +42,13 @@ class Grid:
     dimension: 2 or 3. All other arguments go by name:
 
     periodic: one truth value per axis; a periodic axis needs `box`.
-    box: the corners ((x, y, z), (x, y, z)), lowest first. On open axes particles may lie anywhere.
+    box: the corners ((x, y, z), (x, y, z)), lowest first, or in 3D the edges of a cell with its corner at the origin, a
+        lower triangular matrix ((ax, 0, 0), (bx, by, 0), (cx, cy, cz)). On open axes particles may lie anywhere.
+    tilt: (xy, xz, yz), in 2D xy alone: the periodic cell between those corners has the edges (lx, 0, 0), (xy, ly, 0)
+        and (xz, yz, lz).
+    touching: whether particles that exactly touch are a pair: <= in place of <.
+    images: 'nearest': two particles are a pair once at most; 'all': each periodic image in reach is a pair of its own,
+        also a particle with its own image, and the box may be as short as you like.
     thread_count: 0 for all that the machine offers, 1 for serial.
     index_base: id of the first particle, 0 or 1.
     interaction: 'contact', |xi - xj| < ri + rj + margin, or 'max_range', |xi - xj| < max(ri, rj) + margin.
@@ -65,7 +66,8 @@ class Grid:
         negative for the library's own. They change the time, never the answer.
 
     Instead of the words the constants HG_... may be given. Ids count from index_base in the order of insertion and are
-    not given out again before clear(). The comparison is strict: particles that just touch are no pair.
+    not given out again before clear(). The comparison is strict, unless touching says otherwise: particles that just touch
+    are no pair.
 
     Arrays may have any real type, order and strides. They are copied in, and results are copies that belong to you:
     they stay as they are whatever happens to the grid.
@@ -82,6 +84,9 @@ class Grid:
         *,
         periodic=None,
         box=None,
+        tilt=None,
+        touching=False,
+        images="nearest",
         thread_count=0,
         index_base=0,
         interaction="contact",
@@ -119,7 +124,11 @@ class Grid:
         definition.cell_overhead = float(cell_overhead)
         definition.level_price = float(level_price)
         definition.row_price = float(row_price)
-        _set_box(definition, self._dimension, periodic, box)
+        if periodic is not None:
+            definition.periodic = _flags(periodic, self._dimension)
+        definition.box_min, definition.box_max, definition.tilt = boxes.corners_and_tilt(box, tilt, self._dimension)
+        definition.touching = int(bool(touching))
+        definition.images = _choice("images", images, _IMAGES)
         sizes = arrays.reals([] if cell_sizes is None else cell_sizes, "cell_sizes", ("level_count",))
         if sizes.size > 0 and definition.level_rule != capi.HG_LEVELS_USER:
             raise ArgumentError("cell_sizes are given, but levels is not 'user'")
@@ -181,6 +190,14 @@ class Grid:
         radii = None if r is None else arrays.reals(r, "r", (len(centers),))
         self._call(capi.hg_move, centers, radii)
 
+    def set_box(self, box, tilt=None):
+        """Gives a periodic grid a new box, as the arguments of the class do; particles stay where they are.
+
+        For barostats, shear and other deformation. With a skin, stored candidates stay in use while they are valid.
+        All or nothing.
+        """
+        self._call(capi.hg_set_box, *boxes.corners_and_tilt(box, tilt, self._dimension))
+
     def remove(self, ids):
         """Removes the particles with these ids, shape (n,). All or nothing; NotFoundError names an unknown id."""
         self._call(capi.hg_remove, arrays.ids(ids, "ids"))
@@ -194,7 +211,10 @@ class Grid:
         self._call(capi.hg_build)
 
     def query_pairs(self):
-        """All pairs, each once, as int32 of shape (m, 2): ids (a, b) with a < b, in the grid's order."""
+        """All pairs, each once, as int32 of shape (m, 2): ids (a, b) with a < b, in the grid's order.
+
+        With images='all' a pair stands as often as images of the two are in reach, and a == b for images of one.
+        """
         return self._query(capi.hg_query_pairs)
 
     def visit_pairs(self, visit):
