@@ -25,6 +25,7 @@ void check(const particles::ParticleSet &particles) {
   for (int axis = 0; axis < 3; axis++) {
     const double low = particles.box_min[axis], high = particles.box_max[axis];
     expect(std::isfinite(low) && std::isfinite(high) && low <= high, "the box is upside down or not finite");
+    expect(std::isfinite(particles.tilt[axis]), "a tilt is not finite");
     expect(particles.periodic[axis] == 0 || particles.has_box, "a periodic axis without a box");
   }
 }

@@ -61,7 +61,9 @@ void read_box(const LineCursor &cursor, std::string_view line, ParticleSet &part
   const std::vector<std::string_view> words = split_words(line.substr(sizeof kBoxComment - 1));
   const bool is_tilted = words.size() == 14 && words[10] == "tilt";
   if ((words.size() != 10 && !is_tilted) || words[6] != "periodic")
-    cursor.fail("the box must be six numbers, the word periodic and three flags, but the line is " + in_quotes(line));
+    cursor.fail(
+        "the box must be six numbers, periodic and three flags, then perhaps tilt and three numbers, but it is " +
+        in_quotes(line));
   const auto read = [&](std::string_view word, double &number) {
     if (const char *fault = number_fault(word, number)) cursor.fail("box: " + in_quotes(word) + " " + fault);
   };

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// LAMMPS text dumps ("dump custom"), in tilted boxes, too. Read: one or several frames with columns x or xu or xs or xsu
-// (and so on) and radius or diameter. Written: one frame with the columns id, type, x, y, z, radius and further ones.
+// LAMMPS text dumps ("dump custom"), in tilted boxes, too. Read: one or several frames with columns x or xu or xs or
+// xsu (and so on) and radius or diameter. Written: one frame with the columns id, type, x, y, z, radius and further
+// ones.
 #include "particles/files/columns.hpp"
 #include "particles/files/reader.hpp"
 #include "particles/files/row_writer.hpp"
@@ -198,8 +199,8 @@ std::string loss_in_lammps(const ParticleSet &particles) {
   const Overhang beyond = overhang_of(particles.tilt);
   for (int axis = 0; axis < 3; axis++) {
     const double low = particles.box_min[axis], high = particles.box_max[axis];
-    if (particles.periodic[axis] && (low + beyond.low[axis] - beyond.low[axis] != low ||
-                                     high + beyond.high[axis] - beyond.high[axis] != high))
+    if (particles.periodic[axis] &&
+        (low + beyond.low[axis] - beyond.low[axis] != low || high + beyond.high[axis] - beyond.high[axis] != high))
       return std::string("a LAMMPS dump stores the bounds of a tilted box, which cannot hold this one on axis ") +
              "xyz"[axis] + " exactly; write CSV";
   }

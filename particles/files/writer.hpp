@@ -11,9 +11,9 @@
 namespace particles {
 
 // Writes to `path`; "-" is standard output. Throws Error if the file cannot be written completely, or if the format
-// cannot hold the box (extended XYZ stores a corner and lengths, a LAMMPS dump the bounds of a tilted box, so a periodic
-// box must survive that).
-// Sets in two dimensions stay so in CSV only; the other formats get z = 0 (read them with ReadOptions::dimension = 2).
+// cannot hold the box (extended XYZ stores a corner and lengths, a LAMMPS dump the bounds of a tilted box, so a
+// periodic box must survive that). Sets in two dimensions stay so in CSV only; the other formats get z = 0 (read them
+// with ReadOptions::dimension = 2).
 void write_particles(const std::string &path, const Format &format, const ParticleSet &particles);
 
 // The same for looking at: the box may be another in its last bit.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Extended XYZ: a count, a line of key=value, one row for each particle; one or several frames. Properties must name
-// pos and radius (or r, diameter, d); Lattice, pbc and Origin set the box. The Lattice is that of hg_grid_def: its first
-// edge along x, its second without z. As usual for the format, a Lattice without pbc is periodic on all axes.
+// pos and radius (or r, diameter, d); Lattice, pbc and Origin set the box. The Lattice is that of hg_grid_def: its
+// first edge along x, its second without z. As usual for the format, a Lattice without pbc is periodic on all axes.
 #include "particles/files/columns.hpp"
 #include "particles/files/reader.hpp"
 #include "particles/files/row_writer.hpp"

@@ -92,6 +92,26 @@ void particles_come_move_and_go() {
   require_chain(grid);
 }
 
+// Two spheres whose nearest images meet only where the upper one stands half a box to the right.
+void a_box_may_change() {
+  constexpr double kLow[3] = {0, 0, 0}, kHigh[3] = {4, 4, 4}, kTilt[3] = {2, 0, 0};
+  const double centers[6] = {1, 0.5, 1, 3, 3.5, 1}, radii[2] = {0.75, 0.75};
+  hg_grid_def def = hg_default_grid_def();
+  std::fill_n(def.periodic, 3, 1);
+  std::copy_n(kHigh, 3, def.box_max);
+  hgrid::Grid grid(def);
+  grid.insert(2, centers, radii);
+  require(grid.query_pairs().empty(), "a pair in the upright box");
+  grid.set_box(kLow, kHigh, kTilt);
+  require(grid.query_pairs().size() == 1, "no pair in the tilted box");
+  const double far[3] = {-9, 0, 0};
+  require_error(HG_ERR_ARGUMENT, "box_max[0]", [&] { grid.set_box(kLow, far); });
+  require_error(HG_ERR_NULL, "box_max", [&] { grid.set_box(kLow, nullptr); });
+  require(grid.query_pairs().size() == 1, "a refused box has changed the grid");
+  grid.set_box(kLow, kHigh);
+  require(grid.query_pairs().empty(), "a pair in a box that is upright again");
+}
+
 void failures_tell_status_and_text() {
   hg_grid_def def = hg_default_grid_def();
   def.dimension = 4;
@@ -126,6 +146,7 @@ int main() {
                               cmocka_unit_test(run<a_sphere_finds_ids>),
                               cmocka_unit_test(run<levels_and_counters>),
                               cmocka_unit_test(run<particles_come_move_and_go>),
+                              cmocka_unit_test(run<a_box_may_change>),
                               cmocka_unit_test(run<failures_tell_status_and_text>)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -67,6 +67,7 @@ void empty_objects_refuse_calls() {
   require_error(HG_ERR_NULL, "grid", [&] { grid.query_pairs(); });
   require_error(HG_ERR_NULL, "grid", [&] { grid.insert(0, nullptr, nullptr); });
   require_error(HG_ERR_NULL, "grid", [&] { grid.query_neighbors(HG_HALF); });
+  require_error(HG_ERR_NULL, "grid", [&] { grid.set_box(kCenters, kRadii); });
   require_error(HG_ERR_NULL, "grid", [&] { grid.visit_pairs([](hgrid::View<hg_pair>) {}); });
   grid = chain();
   require_chain(grid);

@@ -74,6 +74,20 @@ void missing_keys_are_named(void **) {
   assert_true(is_refused(kBasic + "[adhesion]\nforce = 1\n", ":9: [adhesion] needs the key 'range'"));
 }
 
+// A box of the scene stands instead.
+void tilted_boxes_of_files_are_refused(void **) {
+  const std::string name =
+      (std::filesystem::temp_directory_path() / ("hgrid-test-scene-" + std::to_string(getpid()) + ".csv")).string();
+  std::ofstream(name) << "# box: 0 0 0 9 9 9 periodic 1 1 1 tilt 1 0 0\nx,y,z,radius\n1,1,1,1\n";
+  const std::string text = "[[particles]]\nfile = \"" + name +
+                           "\"\n[contact]\nstiffness = 1e4\n[time]\nsteps = 10\n[periodic]\naxes = \"xyz\"\n";
+  const bool refused = is_refused(text, ":1: box: the box of the particles' file is tilted");
+  const std::string of_boxed = error_of(text + "[box]\nmax = [9, 9, 9]\n");
+  std::filesystem::remove(name);
+  assert_true(refused);
+  assert_string_equal(of_boxed.c_str(), "");
+}
+
 void wrong_values_are_named(void **) {
   assert_true(
       is_refused(kBasic + "[dissipation]\nrestitution = 1.5\n", ":10: dissipation.restitution: lies in (0, 1]", "1.5"));
@@ -245,6 +259,7 @@ int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(unknown_keys_are_refused_with_line_and_suggestion),
       cmocka_unit_test(missing_keys_are_named),
+      cmocka_unit_test(tilted_boxes_of_files_are_refused),
       cmocka_unit_test(wrong_values_are_named),
       cmocka_unit_test(what_does_not_go_together_is_refused),
       cmocka_unit_test(faults_of_every_effect_are_named),

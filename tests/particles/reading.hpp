@@ -42,15 +42,15 @@ inline bool same(const particles::ParticleSet &a, const particles::ParticleSet &
   bool equal = a.dimension == b.dimension && a.centers == b.centers && a.radii == b.radii && a.has_box == b.has_box;
   for (int axis = 0; axis < 3; axis++)
     equal = equal && a.box_min[axis] == b.box_min[axis] && a.box_max[axis] == b.box_max[axis] &&
-            a.periodic[axis] == b.periodic[axis];
+            a.periodic[axis] == b.periodic[axis] && a.tilt[axis] == b.tilt[axis];
   return equal;
 }
 
 inline void print(const char *title, const particles::ParticleSet &set) {
   std::fprintf(stderr, "%s: dimension %d, box %d\n", title, set.dimension, set.has_box);
   for (int axis = 0; axis < 3; axis++)
-    std::fprintf(stderr, "  axis %d: %.17g .. %.17g periodic %d\n", axis, set.box_min[axis], set.box_max[axis],
-                 set.periodic[axis]);
+    std::fprintf(stderr, "  axis %d: %.17g .. %.17g periodic %d, tilt %.17g\n", axis, set.box_min[axis],
+                 set.box_max[axis], set.periodic[axis], set.tilt[axis]);
   for (const double place : set.centers) std::fprintf(stderr, "  center %.17g\n", place);
   for (const double radius : set.radii) std::fprintf(stderr, "  radius %.17g\n", radius);
 }
@@ -121,6 +121,11 @@ inline particles::ParticleSet with_box(particles::ParticleSet set, const double 
     set.box_max[axis] = high[axis];
     set.periodic[axis] = periodic[axis];
   }
+  return set;
+}
+
+inline particles::ParticleSet with_tilt(particles::ParticleSet set, const double (&tilt)[3]) {
+  std::copy_n(tilt, 3, set.tilt);
   return set;
 }
 

@@ -11,6 +11,7 @@ using test::refuses;
 using test::refuses_each;
 using test::set_of;
 using test::with_box;
+using test::with_tilt;
 
 namespace {
 
@@ -48,15 +49,23 @@ bool reads_the_box() {
   return reads(".csv", "# box: -1 0 0.5 1 2 3 periodic 1 0 1\nx,y,z,r\n0,0,1,0.5\n",
                with_box(set_of(3, {0, 0, 1}, {0.5}), {-1, 0, 0.5}, {1, 2, 3}, {1, 0, 1})) &&
          reads(".csv", "# box: -1 0 0.5 1 2 3 periodic 1 0 1\nx,y,r\n0,0,0.5\n",
-               with_box(set_of(2, {0, 0}, {0.5}), {-1, 0, 0}, {1, 2, 0}, {1, 0, 0}));
+               with_box(set_of(2, {0, 0}, {0.5}), {-1, 0, 0}, {1, 2, 0}, {1, 0, 0})) &&
+         reads(".csv", "# box: -1 0 0.5 1 2 3 periodic 1 1 0 tilt -0.5 1 2\nx,y,z,r\n0,0,1,0.5\n",
+               with_tilt(with_box(set_of(3, {0, 0, 1}, {0.5}), {-1, 0, 0.5}, {1, 2, 3}, {1, 1, 0}), {-0.5, 1, 2})) &&
+         reads(".csv", "# box: -1 0 0.5 1 2 3 periodic 1 1 0 tilt -0.5 1 2\nx,y,r\n0,0,0.5\n",
+               with_tilt(with_box(set_of(2, {0, 0}, {0.5}), {-1, 0, 0}, {1, 2, 0}, {1, 1, 0}), {-0.5, 0, 0}));
 }
 
 bool refuses_bad_boxes() {
   return refuses_each(
       ".csv",
       {{"# box: 0 0 0 1 1 periodic 1 0 1\n",
-        "1: the box must be six numbers, the word periodic and three flags, but the line is "
+        "1: the box must be six numbers, periodic and three flags, then perhaps tilt and three numbers, but it is "
         "'# box: 0 0 0 1 1 periodic 1 0 1'"},
+       {"# box: 0 0 0 1 1 1 periodic 1 0 1 tilt 0 0\n",
+        "1: the box must be six numbers, periodic and three flags, then perhaps tilt and three numbers, but it is "
+        "'# box: 0 0 0 1 1 1 periodic 1 0 1 tilt 0...'"},
+       {"# box: 0 0 0 1 1 1 periodic 1 0 1 tilt 0 zero 0\n", "1: box: 'zero' is not a number"},
        {"# box: 0 0 0 1 1 one periodic 1 0 1\n", "1: box: 'one' is not a number"},
        {"# box: 0 0 0 1 -1 1 periodic 1 0 1\n", "1: box: the upper corner '-1' lies below the lower corner '0'"},
        {"# box: 0 0 0 1 1 1 periodic 1 yes 1\n", "1: box: the flag 'yes' is neither 0 nor 1"},

@@ -11,6 +11,7 @@ using test::refuses;
 using test::refuses_each;
 using test::set_of;
 using test::with_box;
+using test::with_tilt;
 
 namespace {
 
@@ -33,6 +34,36 @@ bool reads_one_frame() {
 bool reads_scaled_coordinates() {
   return reads(".dump", kHead + "ITEM: ATOMS xs ys zs radius\n0.5 0.5 0.25 0.5\n0.25 0.25 0.75 0.25\n",
                boxed({1, 2, 1, 0, 1, 2}, {0.5, 0.25}));
+}
+
+// The cell from (-1, 0, 0.5) to (3, 4, 2.5), in the bounds that LAMMPS writes for each tilt.
+std::string tilted_head(const std::string &x, const std::string &y, const std::string &z) {
+  return "ITEM: TIMESTEP\n100\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS xy xz yz pp pp pp\n" + x + '\n' + y + '\n' +
+         z + "\nITEM: ATOMS ";
+}
+
+particles::ParticleSet tilted(std::vector<double> centers, const double (&tilt)[3]) {
+  return with_tilt(with_box(set_of(3, std::move(centers), {0.5, 0.25}), {-1, 0, 0.5}, {3, 4, 2.5}, {1, 1, 1}), tilt);
+}
+
+bool reads_tilted_boxes() {
+  const std::string rows = "x y z radius\n1 2 1 0.5\n0 1 2 0.25\n";
+  const std::vector<double> centers = {1, 2, 1, 0, 1, 2};
+  return reads(".dump", tilted_head("-1 4.5 1", "0 6 0.5", "0.5 2.5 2") + rows, tilted(centers, {1, 0.5, 2})) &&
+         reads(".dump", tilted_head("-2.5 3 -1", "-2 4 -0.5", "0.5 2.5 -2") + rows, tilted(centers, {-1, -0.5, -2})) &&
+         reads(".dump", tilted_head("-3 4 1", "0 4 -2", "0.5 2.5 0") + rows, tilted(centers, {1, -2, 0})) &&
+         reads(".dump", tilted_head("-1.5 5 -0.5", "0 4.25 2", "0.5 2.5 0.25") + rows,
+               tilted(centers, {-0.5, 2, 0.25})) &&
+         reads(".dump", tilted_head("-1 3 0", "0 4 0", "0.5 2.5 0") + rows, tilted(centers, {0, 0, 0}));
+}
+
+// x = -1 + 4 xs + 1 ys + 0.5 zs, y = 4 ys + 2 zs, z = 0.5 + 2 zs.
+bool reads_scaled_coordinates_in_tilted_boxes() {
+  const std::string rows = "xs ys zs radius\n0.5 0.5 0.25 0.5\n0.25 0 1 0.25\n";
+  return reads(".dump", tilted_head("-1 4.5 1", "0 6 0.5", "0.5 2.5 2") + rows,
+               tilted({1.625, 2.5, 1, 0.5, 2, 2.5}, {1, 0.5, 2})) &&
+         refuses(".dump", tilted_head("-1 4.5 1", "0 6 0.5", "0.5 2.5 2") + "xs y zs radius\n",
+                 "9: in a tilted box x and y must be scaled both or neither");
 }
 
 std::string frame_of_radius(const std::string &radius) {
@@ -59,8 +90,14 @@ bool refuses_bad_heads() {
       {{start + "two\n", "4: the number of atoms should stand here, not 'two'"},
        {start + "-2\n", "4: the number of atoms should stand here, not '-2'"},
        {start, "3: the file ends here, the number of atoms is missing"},
-       {start + "1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 1 0\n0 1 0\n0 1 0\n",
-        "5: triclinic boxes cannot be read, this one is 'BOX BOUNDS xy xz yz pp pp pp'"},
+       {start + "1\nITEM: BOX BOUNDS abc origin pp pp pp\n1 0 0 0\n0 1 0 0\n0 0 1 0\n",
+        "5: three boundary flags should stand here, in tilted boxes after 'xy xz yz', not "
+        "'BOX BOUNDS abc origin pp pp pp'"},
+       {start + "1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 1 0\n0 1\n",
+        "7: a lower and an upper bound and a tilt should stand here, not '0 1'"},
+       {start + "1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 1 0\n0 1 x\n", "7: 'x' is not a number"},
+       {start + "1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n0 1 2\n0 1 0\n0 1 0\n",
+        "8: the bounds on axis x leave no room for a box of this tilt"},
        {start + "1\nITEM: BOX BOUNDS\n0 1\n0 1\n0 1\n", "5: the boundary flags (such as pp pp ff) are missing"},
        {start + "1\nITEM: BOX BOUNDS pp pp xx\n", "5: the boundary flag 'xx' is unknown"},
        {start + "1\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 one\n", "7: 'one' is not a number"},
@@ -93,9 +130,14 @@ bool refuses_bad_rows() {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(passes<reads_one_frame>),           cmocka_unit_test(passes<reads_scaled_coordinates>),
-      cmocka_unit_test(passes<reads_the_frame_asked_for>), cmocka_unit_test(passes<reads_a_plane>),
-      cmocka_unit_test(passes<refuses_bad_heads>),         cmocka_unit_test(passes<refuses_missing_columns>),
+      cmocka_unit_test(passes<reads_one_frame>),
+      cmocka_unit_test(passes<reads_scaled_coordinates>),
+      cmocka_unit_test(passes<reads_the_frame_asked_for>),
+      cmocka_unit_test(passes<reads_a_plane>),
+      cmocka_unit_test(passes<reads_tilted_boxes>),
+      cmocka_unit_test(passes<reads_scaled_coordinates_in_tilted_boxes>),
+      cmocka_unit_test(passes<refuses_bad_heads>),
+      cmocka_unit_test(passes<refuses_missing_columns>),
       cmocka_unit_test(passes<refuses_bad_rows>),
   };
   return cmocka_run_group_tests_name("lammps_reader", tests, nullptr, nullptr);

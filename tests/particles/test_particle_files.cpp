@@ -19,6 +19,7 @@
 using test::of_dimension;
 using test::refuses;
 using test::with_box;
+using test::with_tilt;
 
 namespace {
 
@@ -70,6 +71,8 @@ bool round_trip_with_box() {
   const auto &formats = particles::readable_formats();
   return std::all_of(formats.begin(), formats.end(), [](const particles::Format &format) {
     return survives(format, with_box(random_set(3, 500), {0, 0, -0.5}, {0.1, 1e-300, 0.5}, {1, 0, 1})) &&
+           survives(format,
+                    with_tilt(with_box(random_set(3, 500), {0, 0, -0.5}, {4, 5, 0.5}, {1, 1, 1}), {2, -0.75, 3})) &&
            survives(format, with_box(random_set(2, 500), {0, -8, 0}, {0.3, 8, 0}, {1, 0, 0}), of_dimension(2));
   });
 }
@@ -89,6 +92,46 @@ bool xyz_refuses_a_box_it_would_change() {
   const auto set = with_box(test::set_of(3, {0.5, 0.5, 0.5}, {0.1}), {0, -0.7, 0}, {1, 0.9, 1}, {0, 1, 0});
   return test::is_refused("axis y", [&] { particles::write_particles(file.name(), format("xyz"), set); }) &&
          std::filesystem::file_size(file.name()) == 4;
+}
+
+std::string text_of(const char *word, const particles::ParticleSet &set) {
+  const test::ScratchFile file(".any", "");
+  particles::write_particles(file.name(), format(word), set);
+  return particles::load_text(file.name()).text;
+}
+
+// 0.1 + -0.7 + 0.7 is not 0.1 in doubles.
+bool lammps_refuses_a_tilted_box_it_would_change() {
+  const test::ScratchFile file(".dump", "kept");
+  const auto set =
+      with_tilt(with_box(test::set_of(3, {0.5, 0.5, 0.5}, {0.1}), {0.1, 0, 0}, {2, 2, 2}, {1, 1, 1}), {-0.7, 0, 0});
+  return test::is_refused("axis x", [&] { particles::write_particles(file.name(), format("lammps"), set); }) &&
+         std::filesystem::file_size(file.name()) == 4;
+}
+
+// What LAMMPS, ASE and OVITO read: the bounds of all of the cell, and its edges.
+void tilted_boxes_are_written(void **) {
+  const auto set =
+      with_tilt(with_box(test::set_of(3, {1, 2, 3}, {0.5}), {0, 1, 2}, {4, 6, 8}, {1, 1, 1}), {1, -3, 0.5});
+  assert_string_equal(text_of("csv", set).c_str(),
+                      "# box: 0 1 2 4 6 8 periodic 1 1 1 tilt 1 -3 0.5\nx,y,z,radius\n1,2,3,0.5\n");
+  assert_string_equal(text_of("lammps", set).c_str(),
+                      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS xy xz yz pp pp pp\n"
+                      "-3 5 1\n1 6.5 -3\n2 8 0.5\nITEM: ATOMS id type x y z radius\n1 1 1 2 3 0.5\n");
+  assert_string_equal(text_of("xyz", set).c_str(),
+                      "1\nLattice=\"4 0 0 1 5 0 -3 0.5 6\" Origin=\"0 1 2\" Properties=species:S:1:pos:R:3:radius:R:1 "
+                      "pbc=\"T T T\"\nX 1 2 3 0.5\n");
+}
+
+bool upright_boxes_are_asked_for() {
+  auto set = with_tilt(with_box(test::set_of(3, {1, 2, 3}, {0.5}), {0, 0, 0}, {4, 4, 4}, {0, 1, 0}), {0, 0, 0});
+  particles::require_upright(set, "a.csv");
+  set.tilt[0] = 1;
+  const bool refused = test::error_of([&] { particles::require_upright(set, "a.csv"); }) ==
+                       "a.csv: the periodic box is tilted, and only boxes along the axes can be used here";
+  set.periodic[1] = 0;
+  particles::require_upright(set, "a.csv");
+  return refused;
 }
 
 bool is(const particles::Format *found, const char *word) { return found == &format(word); }
@@ -132,12 +175,6 @@ particles::ParticleSet disks_in_motion() {
   set.columns = {{"velocity", 3, {1, 2, 0, 3, 4, 0}}, {"mass", 1, {7, INFINITY}}, {"spin", 3, {0, 0, 8, 0, 0, 9}}};
   set.moment = particles::Moment{40, 0.125};
   return set;
-}
-
-std::string text_of(const char *word, const particles::ParticleSet &set) {
-  const test::ScratchFile file(".any", "");
-  particles::write_particles(file.name(), format(word), set);
-  return particles::load_text(file.name()).text;
 }
 
 // Each format names the columns as its readers know them. Only CSV is for readers that know infinity.
@@ -221,6 +258,9 @@ int main() {
       cmocka_unit_test(passes<round_trip_with_box>),
       cmocka_unit_test(passes<lammps_bounds_enclose_the_spheres>),
       cmocka_unit_test(passes<xyz_refuses_a_box_it_would_change>),
+      cmocka_unit_test(passes<lammps_refuses_a_tilted_box_it_would_change>),
+      cmocka_unit_test(tilted_boxes_are_written),
+      cmocka_unit_test(passes<upright_boxes_are_asked_for>),
       cmocka_unit_test(formats_are_recognised),
       cmocka_unit_test(passes<a_forced_format_wins>),
       cmocka_unit_test(passes<unreadable_files_are_refused>),

@@ -10,6 +10,7 @@ using test::refuses;
 using test::refuses_each;
 using test::set_of;
 using test::with_box;
+using test::with_tilt;
 
 namespace {
 
@@ -33,6 +34,8 @@ bool reads_the_box() {
                with_box(two(), {0, 0, 0}, {4, 5, 6}, {1, 1, 1})) &&
          reads(".xyz", "2\n" + lattice + "Origin=\"-1 0 2\" pbc=\"T F 1\" " + kProperties + "\n" + kRows,
                with_box(two(), {-1, 0, 2}, {3, 5, 8}, {1, 0, 1})) &&
+         reads(".xyz", "2\nLattice=\"4 0 0 -0.5 5 0 1 2 6\" Origin=\"-1 0 2\" " + kProperties + "\n" + kRows,
+               with_tilt(with_box(two(), {-1, 0, 2}, {3, 5, 8}, {1, 1, 1}), {-0.5, 1, 2})) &&
          reads(".xyz", "2\npbc=\"F F F\" " + kProperties + "\n" + kRows, two());
 }
 
@@ -48,8 +51,12 @@ std::string one_with(const std::string &keys) { return "1\n" + keys + " " + kPro
 
 bool refuses_bad_boxes() {
   return refuses_each(
-      ".xyz", {{one_with("Lattice=\"4 0 0 1 5 0 0 0 6\""),
-                "2: only boxes along the axes can be read, but the Lattice is '4 0 0 1 5 0 0 0 6'"},
+      ".xyz", {{one_with("Lattice=\"4 1 0 0 5 0 0 0 6\""),
+                "2: the cell must be lower triangular ('ax 0 0 bx by 0 cx cy cz'), but the Lattice is "
+                "'4 1 0 0 5 0 0 0 6'"},
+               {one_with("Lattice=\"4 0 0 0 5 1e-9 0 0 6\""),
+                "2: the cell must be lower triangular ('ax 0 0 bx by 0 cx cy cz'), but the Lattice is "
+                "'4 0 0 0 5 1e-9 0 0 6'"},
                {one_with("Lattice=\"4 0 0\""), "2: Lattice must hold 9 numbers, but it is '4 0 0'"},
                {one_with("Lattice=\"4 0 0 0 5 0 0 0 inf\""), "2: Lattice: 'inf' is not finite"},
                {one_with("Lattice=\"4 0 0 0 5 0 0 0 -6\""), "2: the Lattice '4 0 0 0 5 0 0 0 -6' has a negative edge"},

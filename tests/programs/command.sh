@@ -51,6 +51,29 @@ all_pairs() {
     }' "$1" | sort
 }
 
+# image_pairs FILE XY XZ YZ TOUCHING: a line for each image in reach, sorted, in the periodic cell of edge 10 with this
+# tilt; of a particle with itself one of each two opposite images.
+image_pairs() {
+  awk -F, -v xy="$2" -v xz="$3" -v yz="$4" -v touching="$5" '
+    NR == 1 { d = NF - 1; next }
+    { n = NR - 1; for (c = 1; c <= d; ++c) x[n - 1, c] = $c; r[n - 1] = $NF }
+    END {
+      far = d == 3 ? 2 : 0
+      for (a = 0; a < n; ++a) for (b = a; b < n; ++b) for (k = -far; k <= far; ++k) {
+        dz = d == 3 ? x[b, 3] - x[a, 3] + 10 * k : 0
+        for (j = -2; j <= 2; ++j) {
+          dy = x[b, 2] - x[a, 2] + 10 * j + yz * k
+          for (i = -2; i <= 2; ++i) {
+            if (a == b && !(k > 0 || k == 0 && (j > 0 || j == 0 && i > 0))) continue
+            dx = x[b, 1] - x[a, 1] + 10 * i + xy * j + xz * k
+            gap = dx * dx + dy * dy + dz * dz - (r[a] + r[b]) ^ 2
+            if (gap < 0 || touching && gap == 0) print a "," b
+          }
+        }
+      }
+    }' "$1" | sort
+}
+
 test_lattices() {
   local m
   for m in 4 8; do
@@ -92,6 +115,61 @@ test_scattered() {
   all_pairs set.csv 0 0 >expected.txt
   "$hgrid" pairs boxed.csv --open --output found.csv || fault "pairs --output"
   tail -n +2 found.csv | sort | cmp -s - expected.txt || fault "--open, seed $seed: other pairs"
+}
+
+# same_pairs WHAT EXPECTED ARGUMENTS...: hgrid pairs finds the lines of a file.
+same_pairs() {
+  local what=$1 expected=$2
+  shift 2
+  "$hgrid" pairs "$@" | tail -n +2 | sort | cmp -s - "$expected" || fault "$what, seed 815: other pairs"
+}
+
+test_tilted() {
+  local tilted
+  scatter 3 100 815 >set.csv
+  image_pairs set.csv 2.5 -3.75 1.25 0 >all.txt
+  image_pairs set.csv 2.5 -3.75 1.25 1 >touching.txt
+  image_pairs set.csv 0 0 0 0 | sort -u >upright.txt
+  # Boxes are long enough for two particles to meet once, so these are their nearest images.
+  sort -u all.txt >nearest.txt
+  cmp -s nearest.txt upright.txt && fault "the set of seed 815 has the same pairs in both cells"
+  { echo "# box: 0 0 0 10 10 10 periodic 1 1 1 tilt 2.5 -3.75 1.25" && cat set.csv; } >tilted.csv
+  {
+    printf '100\nLattice="10 0 0 2.5 10 0 -3.75 1.25 10" Properties=pos:R:3:radius:R:1\n'
+    tail -n +2 set.csv | tr , ' '
+  } >tilted.xyz
+  {
+    printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n100\nITEM: BOX BOUNDS xy xz yz pp pp pp\n'
+    printf -- '-3.75 12.5 2.5\n0 11.25 -3.75\n0 10 1.25\nITEM: ATOMS x y z radius\n'
+    tail -n +2 set.csv | tr , ' '
+  } >tilted.dump
+  for tilted in tilted.csv tilted.xyz tilted.dump "set.csv --box 0,0,0,10,10,10 --periodic xyz --tilt 2.5,-3.75,1.25"; do
+    # shellcheck disable=SC2086
+    same_pairs "$tilted" nearest.txt $tilted
+  done
+  same_pairs "all images" all.txt tilted.dump --images all
+  same_pairs "touching" touching.txt tilted.csv --images all --touching
+  same_pairs "without tilt" upright.txt tilted.csv --tilt 0,0,0
+  all_pairs set.csv 0 0 >open.txt
+  same_pairs "tilted, open" open.txt tilted.xyz --open
+  "$hgrid" levels tilted.csv | grep -q "tilt 2.5 -3.75 1.25" || fault "levels does not tell the tilt"
+  fails 1 "tilted.csv: the periodic box is tilted" slice tilted.csv --output slice.svg
+  fails 1 "tilted.csv: HG_ERR_ARGUMENT: tilt" pairs tilted.csv --periodic yz
+
+  scatter 2 100 815 >plane.csv
+  image_pairs plane.csv -4 0 0 0 | sort -u >nearest.txt
+  same_pairs "a plane" nearest.txt plane.csv --box 0,0,10,10 --periodic xy --tilt -4
+}
+
+# The nearest neighbours of the simple cubic lattice, from one particle: 3 for each at the edge, 6 at the diagonal.
+test_all_images() {
+  printf 'x,y,z,r\n0,0,0,0.5\n' >one.csv
+  equal "touching images" "$("$hgrid" pairs one.csv --box 0,0,0,1,1,1 --periodic xyz --images all --touching)" \
+    "$(printf 'a,b\n0,0\n0,0\n0,0')"
+  equal "images that just touch" "$("$hgrid" pairs one.csv --box 0,0,0,1,1,1 --periodic xyz --images all)" "a,b"
+  equal "images at the diagonals" \
+    "$("$hgrid" pairs one.csv --box 0,0,0,1,1,1 --periodic xyz --images all --margin 0.5 --count |
+      awk '$1 == "contacts" { print $2 == "per" ? $4 : $2 }' | tr '\n' ' ')" "9 18 "
 }
 
 test_output() {
@@ -137,6 +215,11 @@ test_failures() {
   fails 2 "--box: needs 6 numbers" pairs four.csv --box 0,0,1,1
   fails 2 "--periodic: the file holds no box" pairs four.csv --periodic x
   fails 2 "'w' is no axis" pairs four.csv --box 0,0,0,9,9,9 --periodic w
+  fails 2 "--tilt: the file holds no box" pairs four.csv --tilt 1,0,0
+  fails 2 "--tilt: needs 3 numbers" pairs four.csv --box 0,0,0,9,9,9 --tilt 1
+  fails 2 "--images" pairs four.csv --images some
+  printf '1\nLattice="4 1 0 0 4 0 0 0 4" Properties=pos:R:3:radius:R:1\n0 0 0 1\n' >turned.xyz
+  fails 1 "hgrid: turned.xyz:2: the cell must be lower triangular" pairs turned.xyz
   fails 2 "--count" pairs four.csv --count --output x.csv
   fails 1 "missing.csv: cannot open" pairs missing.csv
   printf 'x,y,z,r\n0,0,0,1\n0,oops,0,1\n' >bad.csv
@@ -185,6 +268,8 @@ test_help() {
 
 test_lattices
 test_scattered
+test_tilted
+test_all_images
 test_output
 test_levels
 test_failures

@@ -97,7 +97,8 @@ void add_pairs(CLI::App &parent) {
   command.footer(
       "a and b are the places of the particles in the file, the first being 0 (or 1 with --base 1).\n"
       "Spheres that exactly touch are no contact, unless --touching says so. Each contact stands on one line; with\n"
-      "--images all there is a line for each periodic image in reach, so that a,b may stand on several, and a,a where a\n"
+      "--images all there is a line for each periodic image in reach, so that a,b may stand on several, and a,a where "
+      "a\n"
       "particle meets its own image.\n"
       "Examples:\n"
       "  hgrid pairs packing.csv --output contacts.csv\n"
