@@ -4,6 +4,7 @@
 /* hg_grid_def_init and hg_default_grid_def: the defaults, and structs of other sizes. */
 #include "tests/support/fixture.h"
 
+#include <stddef.h>
 #include <string.h>
 
 static void assert_defaults(const hg_grid_def *def) {
@@ -25,10 +26,13 @@ static void assert_defaults(const hg_grid_def *def) {
   assert_true(def->cell_overhead < 0);
   assert_true(def->level_price < 0);
   assert_true(def->row_price < 0);
+  assert_int_equal(0, def->touching);
+  assert_int_equal(HG_NEAREST_IMAGE, def->images);
   for (k = 0; k < 3; ++k) {
     assert_int_equal(0, def->periodic[k]);
     assert_true(def->box_min[k] == 0);
     assert_true(def->box_max[k] == 0);
+    assert_true(def->tilt[k] == 0);
   }
 }
 
@@ -61,6 +65,21 @@ TEST(other_sizes_are_refused) {
   }
 }
 
+/* What older headers defined counts as far as it goes; what lies behind it in memory is neither read nor written. */
+TEST(older_definitions_are_taken) {
+  const size_t sizes[] = {offsetof(hg_grid_def, level_price), offsetof(hg_grid_def, tilt)};
+  size_t k, byte;
+  for (k = 0; k < sizeof sizes / sizeof *sizes; ++k) {
+    hg_grid_def def;
+    hg_grid *grid;
+    memset(&def, 0x5a, sizeof def);
+    assert_ok(hg_grid_def_init(&def, sizes[k]));
+    for (byte = sizes[k]; byte < sizeof def; ++byte) assert_int_equal(0x5a, ((unsigned char *)&def)[byte]);
+    assert_ok(hg_create(&def, &grid));
+    hg_destroy(grid);
+  }
+}
+
 TEST(nothing_is_written_past_the_end) {
   struct {
     hg_grid_def def;
@@ -74,8 +93,10 @@ TEST(nothing_is_written_past_the_end) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(fills_the_defaults),
-                                     cmocka_unit_test(default_by_value_is_the_same), cmocka_unit_test(null_is_refused),
+                                     cmocka_unit_test(default_by_value_is_the_same),
+                                     cmocka_unit_test(null_is_refused),
                                      cmocka_unit_test(other_sizes_are_refused),
+                                     cmocka_unit_test(older_definitions_are_taken),
                                      cmocka_unit_test(nothing_is_written_past_the_end)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
