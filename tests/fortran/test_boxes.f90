@@ -36,7 +36,7 @@ contains
         type(rule) :: by
         integer :: found(0:1), touching
 
-        call particles%fill(seed, dimension, n=150, edge=edge, r_max=edge/8, grain=edge/64)
+        call particles%fill(seed, dimension, n=150, edge=edge, r_max=edge/8, grain=edge/32)
         by = tilted_rule(dimension, [edge/4, -edge/2, edge/8])
         do touching = 0, 1
             by%touching = touching == 1

@@ -31,7 +31,7 @@ class Tilted(unittest.TestCase):
 
     def test_plane(self):
         x, r = polydisperse(32, 200, dimension=2, ratio=40.0, largest=0.1)
-        options = dict(box=((0.0, 0.0), (1.0, 1.5)), periodic=(True, True))
+        options = dict(box=((0.0, 0.0), (1.0, 1.0)), periodic=(True, True))
         wanted = exact_pairs(x, r, tilt=(0.25, 0, 0), **options)
         self.assertFalse(np.array_equal(wanted, exact_pairs(x, r, **options)))
         for tilt in (0.25, (0.25,), (0.25, 0.0, 0.0), np.float32(0.25)):
@@ -93,7 +93,7 @@ class BoxThatChanges(unittest.TestCase):
                         np.testing.assert_array_equal(ascending(grid.query_pairs()), wanted)
 
     def test_every_form(self):
-        x, r = polydisperse(37, 100, ratio=40.0, largest=0.1)
+        x, r = polydisperse(37, 150, ratio=40.0, largest=0.12)
         upright = exact_pairs(x, r, box=((0, 0, 0), (1, 1, 1)), periodic=EVERY_AXIS)
         tilted = exact_pairs(x, r, box=((0, 0, 0), (1, 1, 1)), periodic=EVERY_AXIS, tilt=(0.5, 0, 0))
         self.assertFalse(np.array_equal(upright, tilted))
