@@ -8,7 +8,6 @@
 #include <hgrid/hgrid.hpp>
 
 #include <cstddef>
-#include <vector>
 
 namespace dem {
 
@@ -21,21 +20,17 @@ class ContactSearch {
   explicit ContactSearch(const Setup &setup);
 
   // The pairs of particles at `centers` [count][dimension] that are within reach of each other; `radii` null if they
-  // have not changed. `offset` is how far the images above have moved along x (shear). The result lasts until the next
-  // call.
+  // have not changed. `offset` is how far the images above have moved along x (shear): the tilt of the periodic cell.
+  // The result lasts until the next call.
   PairView find(const double *centers, const double *radii, double offset);
 
   hg_grid_stats stats() const { return grid_.get_stats(); }
 
  private:
-  void add_pairs_across(const double *centers, double offset);
-
+  hg_grid_def def_;
   hgrid::Grid grid_;
-  size_t dimension_, count_;
+  size_t count_;
   bool sheared_;
-  double low_ = 0, high_ = 0, margin_;  // the box along y (shear)
-  std::vector<double> radii_;           // (shear)
-  std::vector<hg_pair> pairs_;          // (shear)
 };
 
 }  // namespace dem
