@@ -20,6 +20,7 @@ namespace dem {
 struct Snapshot : ParticleArrays {
   int dimension = 3;
   double time = 0;
+  double image_offset = 0;  // how far the images above have moved along x (shear)
 };
 
 // Sums over all particles and contacts at the time of a step.

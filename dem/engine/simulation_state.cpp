@@ -41,6 +41,7 @@ Snapshot Simulation<D, Real>::state_now() {
   Snapshot state;
   state.dimension = D;
   state.time = time();
+  state.image_offset = image_offset();
   const AccelerationKernel<D, Real> acceleration = find_acceleration<D, Real>(setup_.effects);
   for (size_t i = 0; i < bodies_.count(); i++) {
     const Vec<D, Real> v = bodies_.velocity[i] + kick * acceleration(bodies_, body_force_, i);

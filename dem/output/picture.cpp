@@ -4,6 +4,7 @@
 #include "dem/output/picture.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace output {
@@ -32,6 +33,8 @@ particles::ParticleSet picture_of(const dem::Setup &setup, uint64_t step, dem::S
   set.dimension = state.dimension;
   set.moment = {step, state.time};
   copy_box(setup, set);
+  // Of all tilts of the same lattice the least: LAMMPS takes no other.
+  if (state.image_offset != 0) set.tilt[0] = std::remainder(state.image_offset, setup.box_max[0] - setup.box_min[0]);
   set.columns.push_back({"velocity", 3, particles::in_three_dimensions(std::move(state.velocities), state.dimension)});
   set.columns.push_back({"mass", 1, std::move(state.masses)});
   if (!state.spins.empty()) set.columns.push_back({"spin", 3, spin_vectors(state)});

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic axes and Lees-Edwards shear: pairs across the faces against all images, and a sheared gas against a box of
 // images in open space.
+#include "dem/output/picture.hpp"
 #include "dem/state/contact_search.hpp"
+#include "particles/insert.hpp"
 #include "tests/dem/gas.hpp"
 #include "tests/support/frame.h"
 
@@ -141,6 +143,28 @@ void shear_heats_an_elastic_gas(void **) {
   assert_true(slope > 0.5 && slope < 1.5);
 }
 
+// What is shown of a sheared gas is a tilted cell, in which the contacts are those of the simulation.
+void pictures_tell_the_tilt(void **) {
+  size_t contacts = 0, found = 0;
+  double tilt = 0;
+  {
+    const dem::Setup setup = sheared_gas(0.3, 1.3);
+    const auto engine = dem::make_engine(setup);
+    engine->run(2000);
+    contacts = engine->measure().contacts;
+    const particles::ParticleSet set = output::picture_of(setup, 2000, engine->snapshot());
+    hg_grid_def def = hg_default_grid_def();
+    particles::set_box(set, def);
+    hgrid::Grid grid(def);
+    particles::insert(set, grid);
+    found = grid.query_pairs().size();
+    tilt = set.tilt[0] - std::remainder(0.3 * 12 * engine->measure().time, 12);
+    std::printf("%zu contacts, %zu in the picture, tilt %g\n", contacts, found, set.tilt[0]);
+  }
+  assert_true(contacts > 0 && found == contacts);
+  assert_true(std::fabs(tilt) < 1e-9);
+}
+
 }  // namespace
 
 int main() {
@@ -149,6 +173,7 @@ int main() {
       cmocka_unit_test(crossing_a_face_takes_the_speed_of_the_image),
       cmocka_unit_test(shear_at_rest_is_a_periodic_box),
       cmocka_unit_test(shear_heats_an_elastic_gas),
+      cmocka_unit_test(pictures_tell_the_tilt),
   };
   return cmocka_run_group_tests_name("shear", tests, nullptr, nullptr);
 }
