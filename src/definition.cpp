@@ -191,7 +191,6 @@ Definition check_definition(const hg_grid_def &given) {
 
 Domain change_box(const Domain &domain, const double *box_min, const double *box_max, const double *tilt) {
   Domain changed = domain;
-  if (!domain.any_periodic) fail(HG_ERR_STATE, "hg_set_box: no axis of the grid is periodic");
   for (int axis = 0; axis < domain.dimension; axis++) {
     if (domain.periodic[axis]) check_box(changed, axis, box_min[axis], box_max[axis], "");
   }

@@ -154,24 +154,6 @@ ShortVectors find_short_vectors(const Domain &domain) {
   return found;
 }
 
-// Edges are the columns of triangular matrices H, so (H_from - H_to) H_to^-1 is solved for column by column.
-double deformation(const Domain &from, const Domain &to) {
-  double sum = 0, map[3][3] = {};
-  for (int column = 0; column < to.dimension; column++) {
-    if (!to.periodic[column]) continue;
-    for (int row = 0; row <= column; row++) {
-      const auto edge = [&](const Domain &cell, int k) {
-        return k == column ? cell.length[k] : cell.tilt[kTiltOf[column][k]];
-      };
-      double difference = edge(from, row) - edge(to, row);
-      for (int k = row; k < column; k++) difference -= map[row][k] * edge(to, k);
-      map[row][column] = difference / to.length[column];
-      sum += map[row][column] * map[row][column];
-    }
-  }
-  return std::sqrt(sum) * (1 + 0x1p-40) + 0x1p-48;
-}
-
 bool is_shorter(const Domain &domain, const Shift &shift, const ExactSum &length) {
   ExactSum vector[3];
   for (int axis = 0; axis < domain.dimension; axis++) add_shift(vector[axis], domain, axis, shift);

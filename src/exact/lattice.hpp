@@ -28,10 +28,6 @@ inline constexpr double kMostStretched = 1073741824.0;  // 2^30
 // Of a domain whose tilts and lengths are within their limits.
 ShortVectors find_short_vectors(const Domain &domain);
 
-// How far a cell is from another one: |F - 1|, F being the map that takes the edges of `to` to those of `from`, in the
-// Frobenius norm, and a little more than that. Of cells with the same open axes.
-double deformation(const Domain &from, const Domain &to);
-
 // True if the vector is shorter than `length`, exactly.
 bool is_shorter(const Domain &domain, const Shift &shift, const ExactSum &length);
 

@@ -17,12 +17,22 @@ namespace {
 
 // Two places are off by less than 6.08 quanta together, and what HG_DOUBLE computes across a box by 2.2 more.
 constexpr double kPlaceError = 9;
-// A cell that is deformed by more than that is another one.
+// A cell whose lengths change by more than this share is another one.
 constexpr double kMostDeformed = 0x1p-4;
 // Covers the roundings of squares, sums and of the skin itself.
 constexpr double kRoomScale = 1 - 0x1p-20;
 
 constexpr size_t kUpdateTask = 8192;  // particles
+
+// The length of what one cell makes of a shift less what the other does, and what is rounded.
+double change_of(const Shift &shift, const Domain &from, const Domain &to) {
+  double change[3], size = 0;
+  for (int axis = 0; axis < 3; axis++) {
+    change[axis] = to.shifted(axis, shift) - from.shifted(axis, shift);
+    size += to.shift_size(axis, shift) + from.shift_size(axis, shift);
+  }
+  return std::hypot(change[0], change[1], change[2]) * (1 + 0x1p-40) + 0x1p-48 * size;
+}
 
 float room_within(double skin, double scale) {
   return static_cast<float>((0.5 * skin * scale - kPlaceError) * kRoomScale);
@@ -269,20 +279,27 @@ bool StoredCandidates::interact(uint32_t a, uint32_t b, const ParticleStore &sto
   return overlap.is_pair(ball_b, ball_a, step + boxes(a, store) - boxes(original, store), exact);
 }
 
-// Two particles of the box, and one of them moved by whole edges, are farther apart by what the deformation makes of
-// the edges: at most its norm times the length of these, which is less than the diagonal of the box and the reach.
-// docs/theory/exactness.md, section 13.
+// Two particles, one of them moved by whole edges, are farther apart by no more than what the new cell makes of these
+// edges. Only shifts through which they may come within reach count. docs/theory/exactness.md, section 13.
 bool StoredCandidates::keep_in(const Domain &domain) {
   if (!kept_) return false;
-  double diagonal = 0;
+  const double reach = index_->largest_reach() + skin_;
+  PlaceBox box, around;
   for (int axis = 0; axis < domain.dimension; axis++) {
-    diagonal += domain.period(axis);
-    if (std::fabs(domain.box_min[axis] - collected_.box_min[axis]) > collected_.length[axis]) return false;
+    if (!domain.periodic[axis]) continue;
+    const double before = collected_.length[axis], origin = collected_.box_min[axis];
+    if (std::fabs(domain.length[axis] - before) > kMostDeformed * before) return false;
+    if (std::fabs(domain.box_min[axis] - origin) > before) return false;
+    box.low[axis] = -skin_;
+    box.high[axis] = before + skin_;
+    around.low[axis] = box.low[axis] - reach;
+    around.high[axis] = box.high[axis] + reach;
   }
-  const double norm = deformation(collected_, domain);
-  const double longer = norm * (diagonal * (1 + kMostDeformed) + index_->largest_reach() + skin_);
-  const double skin = skin_ - longer * (1 + 0x1p-20);
-  if (!(norm <= kMostDeformed && skin * index_->map.scale >= kLeastQuanta)) return false;
+  double longer = 0;
+  visit_shifts(domain, box, around,
+               [&](const Shift &shift) { longer = std::max(longer, change_of(shift, collected_, domain)); });
+  const double skin = skin_ - longer;
+  if (!(skin * index_->map.scale >= kLeastQuanta)) return false;
   room_ = room_within(skin, index_->map.scale);
   return true;
 }
