@@ -30,12 +30,22 @@ struct Extent {
   size_t row;
 };
 
-// Partners have |dx| < r_i + r_j + margin for either interaction, so their extents, each with half the margin, overlap.
-// The two steps outwards make up for the two roundings.
+// Partners have |dx| <= r_i + r_j + margin for either interaction, so their extents, each with half the margin,
+// overlap. The two steps outwards make up for the two roundings.
 Extent extent_of(const hg_grid_def &def, const Sphere &sphere, size_t row) {
   const double x = sphere.center[0];
   const double half = std::nextafter(sphere.radius + 0.5 * def.margin, kInfinity);
   return {std::nextafter(x - half, -kInfinity), std::nextafter(x + half, kInfinity), row};
+}
+
+// The first row that a row can be a pair with: with HG_ALL_IMAGES that may be itself.
+size_t first_partner(const hg_grid_def &def, size_t row) { return def.images == HG_ALL_IMAGES ? row : row + 1; }
+
+// The pair as often as it is one. A sphere has each of its images twice, at opposite shifts, and itself.
+void add_pair(Pairs &pairs, const hg_grid_def &def, const particles::ParticleSet &particles,
+              const std::vector<int32_t> &ids, size_t a, size_t b, Rule *rule) {
+  const int found = rule(def, sphere_of(particles, a), sphere_of(particles, b));
+  pairs.insert(pairs.end(), static_cast<size_t>(a == b ? found / 2 : found), {ids[a], ids[b]});
 }
 
 }  // namespace
@@ -44,8 +54,8 @@ Pairs all_pairs(const hg_grid_def &def, const particles::ParticleSet &particles,
                 Rule *rule) {
   Pairs pairs;
   for (size_t i = 0; i < particles.count(); i++) {
-    for (size_t j = i + 1; j < particles.count(); j++) {
-      if (rule(def, sphere_of(particles, i), sphere_of(particles, j))) pairs.push_back({ids[i], ids[j]});
+    for (size_t j = first_partner(def, i); j < particles.count(); j++) {
+      add_pair(pairs, def, particles, ids, i, j, rule);
     }
   }
   return pairs;
@@ -65,9 +75,9 @@ Pairs swept_pairs(const hg_grid_def &def, const particles::ParticleSet &particle
   const std::vector<int32_t> ids = ids_from(def.index_base, particles.count());
   Pairs pairs;
   for (size_t i = 0; i < extents.size(); i++) {
-    for (size_t j = i + 1; j < extents.size() && extents[j].low <= extents[i].high; j++) {
+    for (size_t j = first_partner(def, i); j < extents.size() && extents[j].low <= extents[i].high; j++) {
       const auto [a, b] = std::minmax(extents[i].row, extents[j].row);
-      if (rule(def, sphere_of(particles, a), sphere_of(particles, b))) pairs.push_back({ids[a], ids[b]});
+      add_pair(pairs, def, particles, ids, a, b, rule);
     }
   }
   std::sort(pairs.begin(), pairs.end(), pair_less);
@@ -78,7 +88,7 @@ std::vector<int32_t> all_in_sphere(const hg_grid_def &def, const particles::Part
                                    const Sphere &sphere, Rule *rule) {
   std::vector<int32_t> ids;
   for (size_t i = 0; i < particles.count(); i++) {
-    if (rule(def, sphere, sphere_of(particles, i))) ids.push_back(static_cast<int32_t>(i) + def.index_base);
+    if (rule(def, sphere, sphere_of(particles, i)) > 0) ids.push_back(static_cast<int32_t>(i) + def.index_base);
   }
   return ids;
 }

@@ -16,7 +16,9 @@ using Pairs = std::vector<hg_pair>;
 inline bool pair_less(const hg_pair &p, const hg_pair &q) { return p.a != q.a ? p.a < q.a : p.b < q.b; }
 inline bool pair_equal(const hg_pair &p, const hg_pair &q) { return p.a == q.a && p.b == q.b; }
 
-// Pairs of rows of `particles` as ids (row + index_base), ascending, by looking at every pair.
+// Pairs of rows of `particles` as ids (row + index_base), ascending, by looking at every pair. With HG_ALL_IMAGES a
+// pair stands there once for each of its images, and rows are pairs with their own images, once for both of opposite
+// shifts.
 Pairs all_pairs(const hg_grid_def &def, const particles::ParticleSet &particles, Rule *rule);
 // The same with ids given, ascending.
 Pairs all_pairs(const hg_grid_def &def, const particles::ParticleSet &particles, const std::vector<int32_t> &ids,
@@ -35,7 +37,7 @@ struct Difference {
   size_t count() const { return missing.size() + extra.size(); }
 };
 
-// `truth` is ascending, `found` in any order. A pair that is found twice counts as extra.
+// `truth` is ascending, `found` in any order. A pair that is found more often than it should be counts as extra.
 Difference difference(const Pairs &truth, Pairs found);
 
 }  // namespace oracle
