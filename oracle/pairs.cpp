@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -91,6 +92,19 @@ std::vector<int32_t> all_in_sphere(const hg_grid_def &def, const particles::Part
     if (rule(def, sphere, sphere_of(particles, i)) > 0) ids.push_back(static_cast<int32_t>(i) + def.index_base);
   }
   return ids;
+}
+
+// A sphere twice as large as the two together meets images of itself.
+bool can_meet_twice(const hg_grid_def &def, const particles::ParticleSet &particles) {
+  if (particles.count() < 2) return false;
+  std::vector<double> radii = particles.radii;
+  std::partial_sort(radii.begin(), radii.begin() + 2, radii.end(), std::greater<>());
+  hg_grid_def twice = def;
+  twice.images = HG_ALL_IMAGES;
+  twice.touching = 0;
+  twice.margin = 2 * def.margin;
+  const double anywhere[3] = {0, 0, 0};
+  return exact_interact(twice, {anywhere, 2 * radii[0]}, {anywhere, 2 * radii[1]}) > 1;
 }
 
 Difference difference(const Pairs &truth, Pairs found) {

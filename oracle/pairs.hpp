@@ -32,6 +32,10 @@ Pairs swept_pairs(const hg_grid_def &def, const particles::ParticleSet &particle
 std::vector<int32_t> all_in_sphere(const hg_grid_def &def, const particles::ParticleSet &particles,
                                    const Sphere &sphere, Rule *rule);
 
+// Whether the periodic cell is so short that two of the particles could be a pair through two images, wherever they are:
+// its shortest vector is shorter than twice the longest reach of two particles.
+bool can_meet_twice(const hg_grid_def &def, const particles::ParticleSet &particles);
+
 struct Difference {
   Pairs missing, extra;  // ascending
   size_t count() const { return missing.size() + extra.size(); }

@@ -106,8 +106,8 @@ void check_giants_at_both_ends(uint64_t seed) {
 }
 void giants_at_both_ends(void **) { assert_true(sweep(200, check_giants_at_both_ends)); }
 
-// A box of length 1 at 2^e: coordinates in it are multiples of 2^(e - 52), those far below it are finer. Pairs touch up
-// to a few of these, in the box and through its faces.
+// A box of length 1 at 2^e, tilted or not: coordinates in it are multiples of 2^(e - 52), those far below it are finer.
+// Pairs touch up to a few of these, in the box and through its faces.
 void check_far_box(uint64_t seed) {
   Rng rng(seed);
   hg_grid_def def = hg_default_grid_def();
@@ -118,6 +118,11 @@ void check_far_box(uint64_t seed) {
   def.periodic[0] = 1;
   def.box_min[0] = start;
   def.box_max[0] = start + 1;
+  if (rng.chance(0.5)) {
+    def.periodic[1] = 1;
+    def.box_max[1] = 200;
+    def.tilt[0] = rng.integer(-99, 99) * 0.25;
+  }
   const int spread = rng.integer(2, 12);
   Particles particles;
   for (int i = 0; i < 40; i++) {
