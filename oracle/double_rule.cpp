@@ -5,6 +5,7 @@
 #include "oracle/cell.hpp"
 #include "oracle/images.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace oracle {
@@ -50,16 +51,14 @@ bool image_in_reach(const hg_grid_def &def, const Cell<double> &cell, const Sphe
 
 int double_interact(const hg_grid_def &def, const Sphere &a, const Sphere &b) {
   const double s = reach_of(def, a, b);
-  const bool tilted = def.tilt[0] != 0 || def.tilt[1] != 0 || def.tilt[2] != 0;
-  if (!tilted && def.images == HG_NEAREST_IMAGE) return nearest_in_reach(def, a, b, s) ? 1 : 0;
+  const bool nearest = def.images == HG_NEAREST_IMAGE;
+  if (nearest && !is_tilted(def)) return nearest_in_reach(def, a, b, s) ? 1 : 0;
   const Cell<double> cell(def);
-  int count = 0;
-  for (const Shift &shift : images_near(def, a.center, b.center, s)) {
-    if (!image_in_reach(def, cell, a, b, shift, s)) continue;
-    if (def.images == HG_NEAREST_IMAGE) return 1;
-    count++;
-  }
-  return count;
+  const auto in_reach = [&](const Shift &shift) { return image_in_reach(def, cell, a, b, shift, s); };
+  if (nearest && in_reach(middle_image(def, a.center, b.center))) return 1;
+  const std::vector<Shift> shifts = images_near(def, a.center, b.center, s);
+  const auto count = static_cast<int>(std::count_if(shifts.begin(), shifts.end(), in_reach));
+  return nearest ? std::min(count, 1) : count;
 }
 
 }  // namespace oracle

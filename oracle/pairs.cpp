@@ -117,4 +117,10 @@ Difference difference(const Pairs &truth, Pairs found) {
   return result;
 }
 
+size_t nearer_images(const Pairs &found, const hg_pair &pair) {
+  const auto [first, last] = std::equal_range(found.begin(), found.end(), pair, pair_less);
+  const auto times = static_cast<size_t>(last - first);
+  return pair.a == pair.b ? 2 * times - 1 : times - 1;
+}
+
 }  // namespace oracle

@@ -32,8 +32,8 @@ Pairs swept_pairs(const hg_grid_def &def, const particles::ParticleSet &particle
 std::vector<int32_t> all_in_sphere(const hg_grid_def &def, const particles::ParticleSet &particles,
                                    const Sphere &sphere, Rule *rule);
 
-// Whether the periodic cell is so short that two of the particles could be a pair through two images, wherever they are:
-// its shortest vector is shorter than twice the longest reach of two particles.
+// Whether the periodic cell is so short that two of the particles could be a pair through two images, wherever they
+// are: its shortest vector is shorter than twice the longest reach of two particles.
 bool can_meet_twice(const hg_grid_def &def, const particles::ParticleSet &particles);
 
 struct Difference {
@@ -43,5 +43,9 @@ struct Difference {
 
 // `truth` is ascending, `found` in any order. A pair that is found more often than it should be counts as extra.
 Difference difference(const Pairs &truth, Pairs found);
+
+// How many images are nearer than the farthest that `found`, ascending, has of a pair. Those of a particle with itself
+// come twice, after itself.
+size_t nearer_images(const Pairs &found, const hg_pair &pair);
 
 }  // namespace oracle

@@ -19,14 +19,6 @@ std::string first_of(const Pairs &pairs) {
          ")";
 }
 
-// How many images are nearer than the farthest that `found` has of a pair. Those of a particle with itself come twice,
-// after itself.
-size_t nearer_images(const Pairs &found, const hg_pair &pair) {
-  const auto [first, last] = std::equal_range(found.begin(), found.end(), pair, pair_less);
-  const auto times = static_cast<size_t>(last - first);
-  return pair.a == pair.b ? 2 * times - 1 : times - 1;
-}
-
 }  // namespace
 
 void require(bool condition, const std::string &what) {
@@ -96,7 +88,7 @@ void require_superset(const std::string &what, const hg_grid_def &def, const Par
     return Sphere{particles.center(row), particles.radii[row]};
   };
   for (const hg_pair &extra : wrong.extra) {
-    const double gap = relative_gap(def, sphere(extra.a), sphere(extra.b), nearer_images(ascending, extra));
+    const double gap = relative_gap(def, sphere(extra.a), sphere(extra.b), oracle::nearer_images(ascending, extra));
     require(gap <= kFloatExtra, what + ": extra pair at relative distance " + std::to_string(gap));
   }
 }
