@@ -94,11 +94,22 @@ std::vector<int32_t> all_in_sphere(const hg_grid_def &def, const particles::Part
   return ids;
 }
 
-// A sphere twice as large as the two together meets images of itself.
+// A sphere twice as large as the two together meets images of itself. That is certain beyond the longest that a
+// shortest vector can be for the volume of the cell (Hermite), which keeps the number of images small.
 bool can_meet_twice(const hg_grid_def &def, const particles::ParticleSet &particles) {
   if (particles.count() < 2) return false;
   std::vector<double> radii = particles.radii;
   std::partial_sort(radii.begin(), radii.begin() + 2, radii.end(), std::greater<>());
+  double logarithm = 0;  // of the volume
+  int axes = 0;
+  for (int axis = 0; axis < def.dimension; axis++) {
+    if (def.periodic[axis] == 0) continue;
+    logarithm += std::log(def.box_max[axis] - def.box_min[axis]);
+    axes++;
+  }
+  if (axes == 0) return false;
+  const double sum = def.interaction == HG_MAX_RANGE ? radii[0] : radii[0] + radii[1];
+  if (std::log(2 * (sum + def.margin)) > logarithm / axes + 0.2) return true;
   hg_grid_def twice = def;
   twice.images = HG_ALL_IMAGES;
   twice.touching = 0;

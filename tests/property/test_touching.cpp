@@ -80,7 +80,7 @@ void points_at_one_place(void **) {
   assert_true(holds(0, [](uint64_t) {
     hg_grid_def def = touching_def();
     Particles points;
-    for (const double x : {0.0, -0.0, 0.0, 0x1p-500, 3.0, 3.0, -3.0}) {
+    for (const double x : {0.0, -0.0, 0.0, 0x1p-30, 3.0, 3.0, -3.0}) {
       const double center[3] = {x, 0, -x};
       points.add(center, 0);
     }

@@ -352,7 +352,8 @@ Scene many_images_scene(Rng &rng, int dimension, int axes, size_t count, Sizes s
   hg_grid_def &def = scene.def;
   def.images = HG_ALL_IMAGES;
   const double room = std::max(1.0, 0.5 * std::pow(static_cast<double>(count), 1.0 / dimension));
-  const double reach = std::max(largest_reach(def, scene.particles), 1e-9);
+  double reach = largest_reach(def, scene.particles);
+  if (!(reach > 0)) reach = 1e5;  // longer than the places of points are apart
   for (int k = 0; k < dimension; k++) {
     if ((axes >> k & 1) == 0) continue;
     def.periodic[k] = 1;
