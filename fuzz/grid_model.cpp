@@ -21,7 +21,7 @@ bool is_periodic(const hg_grid_def &def) { return def.periodic[0] + def.periodic
 
 double length_of(const hg_grid_def &def, int axis) { return def.box_max[axis] - def.box_min[axis]; }
 
-// Edges of like lengths, far from the ends of the doubles.
+// Edges and tilts of like lengths, far from the ends of the doubles.
 bool has_sane_box(const hg_grid_def &def) {
   double least = 1e100, greatest = 1e-100;
   for (int k = 0; k < def.dimension; k++) {
@@ -29,21 +29,22 @@ bool has_sane_box(const hg_grid_def &def) {
     least = std::fmin(least, length_of(def, k));
     greatest = std::fmax(greatest, length_of(def, k));
   }
+  for (const double tilt : def.tilt) greatest = std::fmax(greatest, std::fabs(tilt) / 256);
   return least > 1e-100 && greatest < 1e100 && greatest < 1000 * least && def.margin < 1000 * least;
 }
 
-// How many cells a place lies outside, along the edge where that is most.
-double cells_away(const hg_grid_def &def, const double *center) {
-  double x[3] = {0, 0, 0}, most = 0;
-  std::copy_n(center, def.dimension, x);
+// Whether a place is so many cells away, or is taken there on the way to the cell, that it may be refused.
+bool is_far_away(const hg_grid_def &def, const double *center) {
+  double cells[3] = {0, 0, 0};
   for (int k = def.dimension - 1; k >= 0; k--) {
     if (def.periodic[k] == 0) continue;
-    const double cells = (x[k] - def.box_min[k]) / length_of(def, k);
-    most = std::fmax(most, std::fabs(cells));
-    if (k == 2) x[1] -= cells * def.tilt[2];
-    if (k > 0) x[0] -= cells * def.tilt[k - 1];
+    double size = std::fabs(center[k] - def.box_min[k]);
+    if (k == 1) size += cells[2] * std::fabs(def.tilt[2]);
+    if (k == 0) size += cells[1] * std::fabs(def.tilt[0]) + cells[2] * std::fabs(def.tilt[1]);
+    cells[k] = size / length_of(def, k) + 1;
+    if (cells[k] > 0x1p18) return true;
   }
-  return most;
+  return false;
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ bool GridModel::must_hold(const hg_grid_def &def, const particles::ParticleSet &
   if (!is_periodic(def)) return true;
   if (!has_sane_box(def) || def.images == HG_ALL_IMAGES) return false;
   for (size_t row = 0; row < particles.count(); row++) {
-    if (cells_away(def, particles.center(row)) > 0x1p19) return false;
+    if (is_far_away(def, particles.center(row))) return false;
   }
   return true;
 }

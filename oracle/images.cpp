@@ -91,7 +91,7 @@ Shift middle_image(const hg_grid_def &def, const double *a, const double *b) {
       d += static_cast<double>(shift.n[edge]) * cell.edge[axis][edge];
     }
     const double n = std::nearbyint(-d / cell.edge[axis][axis]);
-    if (!(std::fabs(n) < 0x1p60)) throw std::length_error("an image too far away");
+    if (!(std::fabs(n) < 0x1p60)) throw std::length_error("too many images");
     shift.n[axis] = static_cast<int64_t>(n);
   }
   return shift;

@@ -18,18 +18,18 @@ void set_box(const Grid &grid, const hg_grid_def &def) {
   hgrid::check(hg_set_box(grid.get(), def.box_min, def.box_max, def.tilt));
 }
 
-// Whether a particle is so many cells away that the grid may refuse it.
+// Whether a particle is so many cells away, or is taken there on the way, that the grid may refuse it.
 bool has_far_particles(const hg_grid_def &def, const Particles &particles) {
   for (size_t i = 0; i < particles.count(); i++) {
-    double x[3] = {0, 0, 0};
-    std::copy_n(particles.center(i), def.dimension, x);
+    const double *x = particles.center(i);
+    double cells[3] = {0, 0, 0};
     for (int k = def.dimension - 1; k >= 0; k--) {
       if (def.periodic[k] == 0) continue;
-      const double cells = (x[k] - def.box_min[k]) / (def.box_max[k] - def.box_min[k]);
-      if (std::fabs(cells) > 0x1p19) return true;
-      double n[3] = {0, 0, 0};
-      n[k] = -cells;
-      move_by_cells(def, n, x);
+      const double tilted = k == 0   ? std::fabs(cells[1] * def.tilt[0]) + std::fabs(cells[2] * def.tilt[1])
+                            : k == 1 ? std::fabs(cells[2] * def.tilt[2])
+                                     : 0;
+      cells[k] = (std::fabs(x[k] - def.box_min[k]) + tilted) / (def.box_max[k] - def.box_min[k]) + 1;
+      if (cells[k] > 0x1p18) return true;
     }
   }
   return false;
@@ -323,11 +323,15 @@ void refused_boxes_change_nothing(void **) {
       const double bad_low[3] = {bad, -4, -4};
       require_refused("a bad box_min", HG_ERR_ARGUMENT, bad_low, high, nullptr);
     }
-    for (const double bad : {nan, infinity, 0x1p20 * 8.5, -0x1p20 * 8.5}) {
+    for (const double bad : {nan, infinity, -infinity}) {
       const double bad_tilt[3] = {bad, 0, 0};
       require_refused("a bad tilt", HG_ERR_ARGUMENT, low, high, bad_tilt);
     }
-    const double open_tilt[3] = {0, 0, 1}, short_high[3] = {-3, 4, 4}, tiny_high[3] = {4, -4 + 1e-9, 4};
+    for (const double bad : {0x1p20 * 8.5, -0x1p20 * 8.5}) {
+      const double bad_tilt[3] = {bad, 0, 0};
+      require_refused("too large a tilt", HG_ERR_LIMIT, low, high, bad_tilt);
+    }
+    const double open_tilt[3] = {0, 0, 1}, short_high[3] = {-3, 4, 4}, tiny_high[3] = {4, -3.999, 4};
     require_refused("a tilt of an open axis", HG_ERR_ARGUMENT, low, high, open_tilt);
     require_refused("a short box", HG_ERR_ARGUMENT, low, short_high, nullptr);
     require_refused("a tiny box", HG_ERR_ARGUMENT, low, tiny_high, nullptr);
@@ -368,7 +372,8 @@ void giants_in_short_boxes(void **) {
       grid.clear();
       require(insert(3, contact ? two : longer) == HG_ERR_ARGUMENT, "two giants are taken");
       const std::string text = hg_last_error();
-      require(text.find("[1]") != std::string::npos || text.find("[0]") != std::string::npos, "not named: " + text);
+      require(text.find(contact ? "particles 0 and 1" : "particles 1 and 0") != std::string::npos,
+              "not named: " + text);
       require(insert(3, contact ? one : range) == HG_OK, std::string("one giant is refused: ") + hg_last_error());
       Particles particles;
       for (size_t i = 0; i < 3; i++) particles.add(centers + 3 * i, contact ? one[i] : range[i]);
@@ -393,6 +398,7 @@ void boxes_without_particles(void **) {
     const double low[3] = {0, 0, 0}, high[3] = {0.1, 0.1, 0.1}, tilt[3] = {0.3, -0.5, 0.05};
     require(hg_set_box(grid.get(), low, high, tilt) == HG_OK, "an empty grid refuses a small box");
     require(pairs_of(grid).empty(), "pairs of nothing");
+    require(hg_set_box(Grid().get(), low, high, tilt) == HG_ERR_STATE, "a grid of open axes takes a box");
     set_box(grid, scene.def);
     Grid filled = make_grid(scene.def, scene.particles);
     filled.clear();

@@ -231,7 +231,7 @@ void scatter(Rng &rng, Scene &scene) {
       move_by_cells(def, cells, x);
     }
     if (rng.chance(0.2)) {
-      for (double &n : cells) n = rng.integer(-1000, 1000);
+      for (double &n : cells) n = rng.integer(-400, 400);
       move_by_cells(def, cells, x);
     }
   }
