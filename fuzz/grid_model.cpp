@@ -185,9 +185,9 @@ void GridModel::check_sphere(const Sphere &sphere, const int32_t *ids, size_t co
   for (size_t row = 0; row < ids_.size(); row++) {
     const Sphere particle = {particles_.center(row), particles_.radii[row]};
     const bool found = std::binary_search(ids, ids + count, ids_[row]);
-    const int wanted = held == Promise::kDouble ? oracle::double_interact(def_, sphere, particle)
-                                                : oracle::exact_interact(def_, sphere, particle);
-    expect(found == (wanted > 0), found ? "a sphere meets a particle too many" : "a sphere misses a particle");
+    const bool wanted = oracle::meets(def_, sphere, particle,
+                                      held == Promise::kDouble ? oracle::double_interact : oracle::exact_interact);
+    expect(found == wanted, found ? "a sphere meets a particle too many" : "a sphere misses a particle");
   }
 }
 

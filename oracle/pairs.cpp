@@ -85,11 +85,18 @@ Pairs swept_pairs(const hg_grid_def &def, const particles::ParticleSet &particle
   return pairs;
 }
 
+// Of a sphere larger than the cell the nearest image alone is looked at, of the many that it meets.
+bool meets(const hg_grid_def &def, const Sphere &sphere, const Sphere &particle, Rule *rule) {
+  hg_grid_def nearest = def;
+  nearest.images = HG_NEAREST_IMAGE;
+  return rule(nearest, sphere, particle) > 0 || (def.images == HG_ALL_IMAGES && rule(def, sphere, particle) > 0);
+}
+
 std::vector<int32_t> all_in_sphere(const hg_grid_def &def, const particles::ParticleSet &particles,
                                    const Sphere &sphere, Rule *rule) {
   std::vector<int32_t> ids;
   for (size_t i = 0; i < particles.count(); i++) {
-    if (rule(def, sphere, sphere_of(particles, i)) > 0) ids.push_back(static_cast<int32_t>(i) + def.index_base);
+    if (meets(def, sphere, sphere_of(particles, i), rule)) ids.push_back(static_cast<int32_t>(i) + def.index_base);
   }
   return ids;
 }

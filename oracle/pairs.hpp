@@ -28,7 +28,10 @@ Pairs all_pairs(const hg_grid_def &def, const particles::ParticleSet &particles,
 // std::invalid_argument if x is periodic. O(N log N + candidates).
 Pairs swept_pairs(const hg_grid_def &def, const particles::ParticleSet &particles, Rule *rule);
 
-// Rows that interact with the sphere as ids (row + index_base), ascending.
+// Whether any image of the particle interacts with the sphere.
+bool meets(const hg_grid_def &def, const Sphere &sphere, const Sphere &particle, Rule *rule);
+
+// Rows that do so, as ids (row + index_base), ascending.
 std::vector<int32_t> all_in_sphere(const hg_grid_def &def, const particles::ParticleSet &particles,
                                    const Sphere &sphere, Rule *rule);
 
