@@ -69,10 +69,10 @@ bool is_box(const hg_grid_def &def) {
     if (!std::isfinite(def.box_min[k]) || !std::isfinite(def.box_max[k]) || def.box_min[k] >= def.box_max[k])
       return false;
   }
-  for (int k = 0; k < (def.dimension == 2 ? 1 : 3); k++) {
-    const int along = kAxes[k][0];
+  for (int k = 0; k < 3; k++) {
+    const int along = kAxes[k][0], other = kAxes[k][1];
     if (def.tilt[k] == 0) continue;
-    if (def.periodic[along] + def.periodic[kAxes[k][1]] != 2) return false;
+    if (other >= def.dimension || def.periodic[along] + def.periodic[other] != 2) return false;
     if (!(std::fabs(def.tilt[k]) <= 0x1p20 * (def.box_max[along] - def.box_min[along]))) return false;
   }
   return true;

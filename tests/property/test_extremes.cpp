@@ -138,6 +138,41 @@ void check_far_box(uint64_t seed) {
 }
 void boxes_far_from_the_origin(void **) { assert_true(sweep(400, check_far_box)); }
 
+// Particles far out along an open axis make the coordinates of the search coarser than the periodic box, through whose
+// faces others still meet.
+void check_open_outlier(uint64_t seed) {
+  Rng rng(seed);
+  Scene scene;
+  scene.name = "outlier along an open axis";
+  hg_grid_def &def = scene.def;
+  def.dimension = scene.particles.dimension = rng.integer(2, 3);
+  def.periodic[0] = 1;
+  def.box_max[0] = rng.uniform(5, 20);
+  if (def.dimension == 3 && rng.chance(0.5)) {
+    def.periodic[1] = 1;
+    def.box_max[1] = 10;
+    def.tilt[0] = rng.chance(0.5) ? rng.uniform(-20, 20) : 0;
+  }
+  def.images = rng.chance(0.3) ? HG_ALL_IMAGES : HG_NEAREST_IMAGE;
+  const size_t count = rng.chance(0.5) ? 60 : 2 + rng.below(10);
+  for (size_t i = 0; i < count; i++) {
+    const double x[3] = {rng.uniform(-20, 40), rng.uniform(0, 10), rng.uniform(0, 5)};
+    scene.particles.add(x, rng.uniform(0, 1));
+  }
+  for (int i = 0; i < 3; i++) {
+    double x[3] = {rng.uniform(0, 5), rng.uniform(0, 5), rng.uniform(0, 5)};
+    x[def.dimension - 1] = std::pow(10, rng.uniform(6, 120)) * (rng.chance(0.5) ? 1 : -1);
+    scene.particles.add(x, 1);
+  }
+  require_both(scene.name, def, scene.particles);
+  const Grid grid = make_grid(def, scene.particles);
+  const double *center = scene.particles.center(rng.below(count));
+  const hgrid::View<int32_t> ids = grid.query_sphere(center, 1);
+  require_same("sphere", std::vector<int32_t>(ids.begin(), ids.end()),
+               all_in_sphere(def, scene.particles, {center, 1}, exact_interact));
+}
+void outliers_along_an_open_axis(void **) { assert_true(sweep(100, check_open_outlier)); }
+
 // A box that is shorter than two reaches by less than its rounded length shows: refused, or handled fully.
 void box_short_by_less_than_rounding(void **) {
   assert_true(holds(0, [](uint64_t) {
@@ -180,6 +215,7 @@ int main() {
                               cmocka_unit_test(lonely_at_the_edge),
                               cmocka_unit_test(giants_at_both_ends),
                               cmocka_unit_test(boxes_far_from_the_origin),
+                              cmocka_unit_test(outliers_along_an_open_axis),
                               cmocka_unit_test(box_short_by_less_than_rounding),
                               cmocka_unit_test(reach_overflows)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
