@@ -173,6 +173,23 @@ void check_open_outlier(uint64_t seed) {
 }
 void outliers_along_an_open_axis(void **) { assert_true(sweep(100, check_open_outlier)); }
 
+// Two that meet through a face, and one so far away that the box is shorter than the search can tell places apart.
+void a_face_finer_than_the_search(void **) {
+  assert_true(sweep(40, [](uint64_t exponent) {
+    hg_grid_def def = hg_default_grid_def();
+    def.periodic[0] = 1;
+    def.box_max[0] = 99;
+    Particles particles;
+    for (const double x : {0.5, 98.5}) {
+      const double near[3] = {x, 0, 0};
+      particles.add(near, 1);
+    }
+    const double far[3] = {5, std::pow(10, static_cast<double>(exponent)), 0};
+    particles.add(far, 1);
+    require_both("outlier at 1e" + std::to_string(exponent), def, particles);
+  }));
+}
+
 // A box that is shorter than two reaches by less than its rounded length shows: refused, or handled fully.
 void box_short_by_less_than_rounding(void **) {
   assert_true(holds(0, [](uint64_t) {
@@ -215,6 +232,7 @@ int main() {
                               cmocka_unit_test(lonely_at_the_edge),
                               cmocka_unit_test(giants_at_both_ends),
                               cmocka_unit_test(boxes_far_from_the_origin),
+                              cmocka_unit_test(a_face_finer_than_the_search),
                               cmocka_unit_test(outliers_along_an_open_axis),
                               cmocka_unit_test(box_short_by_less_than_rounding),
                               cmocka_unit_test(reach_overflows)};
