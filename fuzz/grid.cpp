@@ -9,7 +9,7 @@
 #include <hgrid/hgrid.h>
 
 #include <algorithm>
-#include <functional>
+#include <cmath>
 #include <optional>
 
 namespace {
@@ -36,6 +36,48 @@ bool takes(Call call) {
   }
 }
 
+void draw_box(Bytes &bytes, hg_grid_def &def) {
+  for (int k = 0; k < 3; k++) {
+    if (def.periodic[k] == 0) continue;
+    def.box_min[k] = bytes.number();
+    def.box_max[k] = def.box_min[k] + 8 * bytes.length();
+  }
+}
+
+// Mostly where there are two periodic axes: parts of a length, many lengths, anything.
+void draw_tilt(Bytes &bytes, hg_grid_def &def) {
+  constexpr int kAxes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+  for (int k = 0; k < 3; k++) {
+    const int along = kAxes[k][0], other = kAxes[k][1];
+    const int kind = bytes.below(8);
+    if (kind == 0) {
+      def.tilt[k] = bytes.number();
+    } else if (kind < 6 && other < def.dimension && def.periodic[along] + def.periodic[other] == 2) {
+      const double parts = kind < 5 ? 0.0625 : 1;
+      def.tilt[k] = parts * static_cast<int8_t>(bytes.byte()) * (def.box_max[along] - def.box_min[along]);
+    } else {
+      def.tilt[k] = 0;
+    }
+  }
+}
+
+// What any box must have that the library takes.
+bool is_box(const hg_grid_def &def) {
+  constexpr int kAxes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+  for (int k = 0; k < def.dimension; k++) {
+    if (def.periodic[k] == 0) continue;
+    if (!std::isfinite(def.box_min[k]) || !std::isfinite(def.box_max[k]) || def.box_min[k] >= def.box_max[k])
+      return false;
+  }
+  for (int k = 0; k < 3; k++) {
+    const int along = kAxes[k][0], other = kAxes[k][1];
+    if (def.tilt[k] == 0) continue;
+    if (other >= def.dimension || def.periodic[along] + def.periodic[other] != 2) return false;
+    if (!(std::fabs(def.tilt[k]) <= 0x1p20 * (def.box_max[along] - def.box_min[along]))) return false;
+  }
+  return true;
+}
+
 hg_grid_def draw_definition(Bytes &bytes, double (&cells)[HG_MAX_LEVELS]) {
   hg_grid_def def = hg_default_grid_def();
   def.dimension = 2 + bytes.below(2);
@@ -50,11 +92,12 @@ hg_grid_def draw_definition(Bytes &bytes, double (&cells)[HG_MAX_LEVELS]) {
   if (bytes.below(3) == 0) def.skin = bytes.length();
   if (bytes.below(8) == 0) def.cell_overhead = bytes.number();
   const int axes = bytes.below(16);
-  for (int k = 0; k < 3; k++) {
-    def.periodic[k] = axes < 8 ? axes >> k & 1 : 0;
-    if (def.periodic[k] == 0) continue;
-    def.box_min[k] = bytes.number();
-    def.box_max[k] = def.box_min[k] + 8 * bytes.length();
+  for (int k = 0; k < 3; k++) def.periodic[k] = axes >> k & 1;
+  draw_box(bytes, def);
+  if (axes >= 8) {
+    draw_tilt(bytes, def);
+    def.touching = bytes.below(2);
+    def.images = bytes.below(2);
   }
   if (def.level_rule == HG_LEVELS_USER) {
     for (int h = 0; h < def.level_count; h++) cells[h] = (h > 0 ? cells[h - 1] : 0) + bytes.length();
@@ -95,7 +138,11 @@ class Session {
           look_inside();
           break;
         case 10:
-          if (bytes_.below(4) == 0) clear();
+          if (bytes_.below(4) == 0) {
+            clear();
+          } else {
+            set_box();
+          }
           break;
         default:
           ask_pairs();
@@ -114,11 +161,12 @@ class Session {
       for (int k = 0; k < def_.dimension; k++) center[k] = bytes_.number();
       batch.add(center, bytes_.length());
     }
+    const Particles all = model_.particles_and(batch);
     if (takes([&] { grid_.insert(batch.count(), batch.centers.data(), batch.radii.data()); })) {
-      expect(model_.may_take(batch), "bad particles are taken");
+      expect(GridModel::may_hold(def_, all), "bad particles are taken");
       model_.insert(batch);
     } else {
-      expect(!model_.must_take(batch), "good particles are refused");
+      expect(!GridModel::must_hold(def_, all), "good particles are refused");
     }
   }
 
@@ -132,10 +180,10 @@ class Session {
       if (radii) moved.radii[bytes_.byte() % moved.radii.size()] = bytes_.length();
     }
     if (takes([&] { grid_.move(moved.count(), moved.centers.data(), radii ? moved.radii.data() : nullptr); })) {
-      expect(model_.may_take(moved), "a bad move is taken");
+      expect(GridModel::may_hold(def_, moved), "a bad move is taken");
       model_.move(moved.centers, radii ? &moved.radii : nullptr);
     } else {
-      expect(!model_.must_take(moved), "a good move is refused");
+      expect(!GridModel::must_hold(def_, moved), "a good move is refused");
     }
   }
 
@@ -156,7 +204,32 @@ class Session {
     model_.clear();
   }
 
+  // Another box, or one little different.
+  void set_box() {
+    hg_grid_def def = def_;
+    const auto give = [&] { hgrid::check(hg_set_box(grid_.get(), def.box_min, def.box_max, def.tilt)); };
+    if (def.periodic[0] + def.periodic[1] + (def.dimension == 3 ? def.periodic[2] : 0) == 0) {
+      expect(hgtest::status_of(give) == HG_ERR_STATE, "a grid of open axes takes a box");
+      return;
+    }
+    if (bytes_.below(3) == 0) {
+      draw_box(bytes_, def);
+      draw_tilt(bytes_, def);
+    } else {
+      const int k = bytes_.below(3);
+      (bytes_.below(2) == 0 ? def.tilt : def.box_max)[k] += std::ldexp(bytes_.number(), -bytes_.below(16));
+    }
+    if (takes(give)) {
+      expect(is_box(def) && GridModel::may_hold(def, model_.particles()), "a bad box is taken");
+      def_ = def;
+      model_.set_definition(def);
+    } else {
+      expect(!is_box(def) || !GridModel::must_hold(def, model_.particles()), "a good box is refused");
+    }
+  }
+
   void ask_pairs() {
+    if (!model_.can_check(model_.particles())) return;
     const Pairs found = hgtest::pairs_of(grid_);
     expect(def_.pair_order != HG_ORDER_ID || std::is_sorted(found.begin(), found.end(), oracle::pair_less),
            "pairs do not ascend");
@@ -164,12 +237,15 @@ class Session {
   }
 
   void visit() {
+    if (!model_.can_check(model_.particles())) return;
     Pairs found;
     grid_.visit_pairs([&](hgrid::View<hg_pair> batch) { found.insert(found.end(), batch.begin(), batch.end()); });
     model_.check_pairs(found);
   }
 
+  // Rows ascend; with HG_ALL_IMAGES an id may stand there several times, that of the row as well.
   void ask_neighbors() {
+    if (!model_.can_check(model_.particles())) return;
     const int32_t list = bytes_.below(2);
     const hgrid::Rows rows = grid_.query_neighbors(list);
     expect(rows.size() == model_.size(), "the number of rows is wrong");
@@ -177,13 +253,17 @@ class Session {
     size_t back = 0;
     for (size_t row = 0; row < rows.size(); row++) {
       const hgrid::View<int32_t> ids = rows[row];
-      expect(std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) == ids.end(),
-             "a row of neighbours does not ascend");
+      expect(std::is_sorted(ids.begin(), ids.end()), "a row of neighbours does not ascend");
       const int32_t own = model_.ids()[row];
+      size_t own_images = 0;
       for (const int32_t id : ids) {
         if (id > own) half.push_back({own, id});
         back += id < own ? 1 : 0;
+        own_images += id == own ? 1 : 0;
       }
+      expect(list == HG_HALF || own_images % 2 == 0, "an image of a particle with itself has no opposite");
+      half.insert(half.end(), list == HG_FULL ? own_images / 2 : own_images, {own, own});
+      if (list == HG_FULL) back += own_images / 2;
     }
     expect(back == (list == HG_FULL ? half.size() : 0), "the two directions of neighbours do not fit");
     model_.check_pairs(half);
@@ -221,6 +301,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   double cells[HG_MAX_LEVELS] = {};
   const hg_grid_def def = draw_definition(bytes, cells);
   std::optional<Session> session;
-  if (takes([&] { session.emplace(bytes, def); })) session->run();
+  if (!takes([&] { session.emplace(bytes, def); })) return 0;
+  expect(is_box(def), "a bad box is taken");
+  session->run();
   return 0;
 }

@@ -14,20 +14,26 @@ class GridModel {
  public:
   explicit GridModel(const hg_grid_def &def);
 
-  // Whether the grid may take these particles, and whether it must.
-  bool may_take(const particles::ParticleSet &particles) const;
-  bool must_take(const particles::ParticleSet &particles) const;
+  // Whether a grid of this definition may hold these particles and no others, and whether it must.
+  static bool may_hold(const hg_grid_def &def, const particles::ParticleSet &particles);
+  static bool must_hold(const hg_grid_def &def, const particles::ParticleSet &particles);
+
+  // Those that it holds, and more.
+  particles::ParticleSet particles_and(const particles::ParticleSet &more) const;
 
   void insert(const particles::ParticleSet &particles);
   void move(const std::vector<double> &centers, const std::vector<double> *radii);
   // False, and nothing happens, if an id is unknown or comes twice.
   bool remove(const std::vector<int32_t> &ids);
   void clear();
+  void set_definition(const hg_grid_def &def) { def_ = def; }
 
   size_t size() const { return ids_.size(); }
   const particles::ParticleSet &particles() const { return particles_; }
   const std::vector<int32_t> &ids() const { return ids_; }
 
+  // Whether the oracle can look at all images of these particles, and the sphere, in little time.
+  bool can_check(const particles::ParticleSet &particles) const;
   // `pairs` is what the accuracy of the grid promises.
   void check_pairs(oracle::Pairs pairs) const;
   // The same for the partners of a sphere.

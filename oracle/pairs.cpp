@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -30,12 +31,22 @@ struct Extent {
   size_t row;
 };
 
-// Partners have |dx| < r_i + r_j + margin for either interaction, so their extents, each with half the margin, overlap.
-// The two steps outwards make up for the two roundings.
+// Partners have |dx| <= r_i + r_j + margin for either interaction, so their extents, each with half the margin,
+// overlap. The two steps outwards make up for the two roundings.
 Extent extent_of(const hg_grid_def &def, const Sphere &sphere, size_t row) {
   const double x = sphere.center[0];
   const double half = std::nextafter(sphere.radius + 0.5 * def.margin, kInfinity);
   return {std::nextafter(x - half, -kInfinity), std::nextafter(x + half, kInfinity), row};
+}
+
+// The first row that a row can be a pair with: with HG_ALL_IMAGES that may be itself.
+size_t first_partner(const hg_grid_def &def, size_t row) { return def.images == HG_ALL_IMAGES ? row : row + 1; }
+
+// The pair as often as it is one. A sphere has each of its images twice, at opposite shifts, and itself.
+void add_pair(Pairs &pairs, const hg_grid_def &def, const particles::ParticleSet &particles,
+              const std::vector<int32_t> &ids, size_t a, size_t b, Rule *rule) {
+  const int found = rule(def, sphere_of(particles, a), sphere_of(particles, b));
+  pairs.insert(pairs.end(), static_cast<size_t>(a == b ? found / 2 : found), {ids[a], ids[b]});
 }
 
 }  // namespace
@@ -44,8 +55,8 @@ Pairs all_pairs(const hg_grid_def &def, const particles::ParticleSet &particles,
                 Rule *rule) {
   Pairs pairs;
   for (size_t i = 0; i < particles.count(); i++) {
-    for (size_t j = i + 1; j < particles.count(); j++) {
-      if (rule(def, sphere_of(particles, i), sphere_of(particles, j))) pairs.push_back({ids[i], ids[j]});
+    for (size_t j = first_partner(def, i); j < particles.count(); j++) {
+      add_pair(pairs, def, particles, ids, i, j, rule);
     }
   }
   return pairs;
@@ -65,22 +76,53 @@ Pairs swept_pairs(const hg_grid_def &def, const particles::ParticleSet &particle
   const std::vector<int32_t> ids = ids_from(def.index_base, particles.count());
   Pairs pairs;
   for (size_t i = 0; i < extents.size(); i++) {
-    for (size_t j = i + 1; j < extents.size() && extents[j].low <= extents[i].high; j++) {
+    for (size_t j = first_partner(def, i); j < extents.size() && extents[j].low <= extents[i].high; j++) {
       const auto [a, b] = std::minmax(extents[i].row, extents[j].row);
-      if (rule(def, sphere_of(particles, a), sphere_of(particles, b))) pairs.push_back({ids[a], ids[b]});
+      add_pair(pairs, def, particles, ids, a, b, rule);
     }
   }
   std::sort(pairs.begin(), pairs.end(), pair_less);
   return pairs;
 }
 
+// Of a sphere larger than the cell the nearest image alone is looked at, of the many that it meets.
+bool meets(const hg_grid_def &def, const Sphere &sphere, const Sphere &particle, Rule *rule) {
+  hg_grid_def nearest = def;
+  nearest.images = HG_NEAREST_IMAGE;
+  return rule(nearest, sphere, particle) > 0 || (def.images == HG_ALL_IMAGES && rule(def, sphere, particle) > 0);
+}
+
 std::vector<int32_t> all_in_sphere(const hg_grid_def &def, const particles::ParticleSet &particles,
                                    const Sphere &sphere, Rule *rule) {
   std::vector<int32_t> ids;
   for (size_t i = 0; i < particles.count(); i++) {
-    if (rule(def, sphere, sphere_of(particles, i))) ids.push_back(static_cast<int32_t>(i) + def.index_base);
+    if (meets(def, sphere, sphere_of(particles, i), rule)) ids.push_back(static_cast<int32_t>(i) + def.index_base);
   }
   return ids;
+}
+
+// A sphere twice as large as the two together meets images of itself. That is certain beyond the longest that a
+// shortest vector can be for the volume of the cell (Hermite), which keeps the number of images small.
+bool can_meet_twice(const hg_grid_def &def, const particles::ParticleSet &particles) {
+  if (particles.count() < 2) return false;
+  std::vector<double> radii = particles.radii;
+  std::partial_sort(radii.begin(), radii.begin() + 2, radii.end(), std::greater<>());
+  double logarithm = 0;  // of the volume
+  int axes = 0;
+  for (int axis = 0; axis < def.dimension; axis++) {
+    if (def.periodic[axis] == 0) continue;
+    logarithm += std::log(def.box_max[axis] - def.box_min[axis]);
+    axes++;
+  }
+  if (axes == 0) return false;
+  const double sum = def.interaction == HG_MAX_RANGE ? radii[0] : radii[0] + radii[1];
+  if (std::log(2 * (sum + def.margin)) > logarithm / axes + 0.2) return true;
+  hg_grid_def twice = def;
+  twice.images = HG_ALL_IMAGES;
+  twice.touching = 0;
+  twice.margin = 2 * def.margin;
+  const double anywhere[3] = {0, 0, 0};
+  return exact_interact(twice, {anywhere, 2 * radii[0]}, {anywhere, 2 * radii[1]}) > 1;
 }
 
 Difference difference(const Pairs &truth, Pairs found) {
@@ -91,6 +133,12 @@ Difference difference(const Pairs &truth, Pairs found) {
   std::set_difference(found.begin(), found.end(), truth.begin(), truth.end(), std::back_inserter(result.extra),
                       pair_less);
   return result;
+}
+
+size_t nearer_images(const Pairs &found, const hg_pair &pair) {
+  const auto [first, last] = std::equal_range(found.begin(), found.end(), pair, pair_less);
+  const auto times = static_cast<size_t>(last - first);
+  return pair.a == pair.b ? 2 * times - 1 : times - 1;
 }
 
 }  // namespace oracle

@@ -154,7 +154,7 @@ void equal_cell_numbers_on_several_levels(void **) {
   }));
 }
 
-// Cells as long as the box, half as long, longer, and of lengths that do not divide it.
+// Cells as long as the box, tilted or not, half as long, longer, and of lengths that do not divide it.
 void periodic_boxes_of_few_cells(void **) {
   assert_true(sweep(40, [](uint64_t s) {
     Rng rng(s);
@@ -168,6 +168,9 @@ void periodic_boxes_of_few_cells(void **) {
         def.periodic[k] = rng.chance(0.8) ? 1 : 0;
         def.box_max[k] = 1;
       }
+      const bool tilted = rng.chance(0.5) && def.periodic[0] + def.periodic[1] == 2;
+      if (tilted) def.tilt[0] = rng.chance(0.5) ? 0.25 * rng.integer(-8, 8) : rng.uniform(-3, 3);
+      if (tilted && def.periodic[2] != 0) def.tilt[2] = rng.uniform(-3, 3);
       for (int i = 0; i < 30; i++) {
         double center[3];
         for (double &x : center) x = rng.chance(0.2) ? rng.integer(-2, 2) * 0.5 : rng.uniform(-1, 2);

@@ -3,8 +3,9 @@
 // Where particles are: so far out that coordinates are coarser than radii, in a line or plane, just outside a periodic
 // box, on the way through its faces, and the same set elsewhere.
 #include "tests/support/compare.hpp"
-#include "tests/support/rng.hpp"
+#include "tests/support/scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 
@@ -75,31 +76,45 @@ void least_negative_wraps_to_the_upper_face(void **) {
       particles.add(center, 0.06);
     }
     require_exact("around the faces", def, particles);
+    for (const double tilt : {-1e-20, 0.3, -0.5, 1.0, 41.5}) {
+      def.tilt[0] = tilt;
+      def.tilt[2] = -tilt;
+      require_exact("around tilted faces", def, particles);
+    }
   }));
 }
 
-// Two particles in contact drift through the faces of the box, wrapped or not: the contact never breaks.
+// Two particles in contact drift through the faces of the box, tilted or not, wrapped or not: the contact never breaks.
+void check_crossing(double tilt) {
+  hg_grid_def def = hg_default_grid_def();
+  for (int k = 0; k < 3; k++) {
+    def.periodic[k] = 1;
+    def.box_min[k] = -1;
+    def.box_max[k] = 1;
+    def.tilt[k] = tilt;
+  }
+  Grid grid(def);
+  double centers[6] = {0, 0, 0, 0.19, 0, 0};
+  const double radii[2] = {0.1, 0.1};
+  grid.insert(2, centers, radii);
+  for (int step = 0; step < 300; step++) {
+    require_same("the contact", pairs_of(grid), {{0, 1}});
+    for (int i = 0; i < 6; i++) centers[i] += 0.017 * (1 + i % 3);
+    double wrapped[6];
+    std::copy_n(centers, 6, wrapped);
+    for (int axis = 2; axis >= 0 && step % 2 == 0; axis--) {
+      for (double *x : {wrapped, wrapped + 3}) {
+        double back[3] = {0, 0, 0};
+        back[axis] = -std::floor((x[axis] + 1) / 2);
+        move_by_cells(def, back, x);
+      }
+    }
+    grid.move(2, wrapped);
+  }
+}
 void contact_crosses_the_faces(void **) {
   assert_true(holds(0, [](uint64_t) {
-    hg_grid_def def = hg_default_grid_def();
-    for (int k = 0; k < 3; k++) {
-      def.periodic[k] = 1;
-      def.box_min[k] = -1;
-      def.box_max[k] = 1;
-    }
-    Grid grid(def);
-    double centers[6] = {0, 0, 0, 0.19, 0, 0};
-    const double radii[2] = {0.1, 0.1};
-    grid.insert(2, centers, radii);
-    for (int step = 0; step < 300; step++) {
-      require_same("the contact", pairs_of(grid), {{0, 1}});
-      for (int i = 0; i < 6; i++) centers[i] += 0.017 * (1 + i % 3);
-      double wrapped[6];
-      for (int i = 0; i < 6; i++) {
-        wrapped[i] = step % 2 == 0 ? centers[i] : centers[i] - 2 * std::floor((centers[i] + 1) / 2);
-      }
-      grid.move(2, wrapped);
-    }
+    for (const double tilt : {0.0, 0.7, -1.0, 2.9}) check_crossing(tilt);
   }));
 }
 

@@ -11,14 +11,14 @@ using namespace hgtest;
 
 using Quadruple = __float128;
 
-bool quadruple_interact(const hg_grid_def &, const Sphere &a, const Sphere &b) {
+int quadruple_interact(const hg_grid_def &, const Sphere &a, const Sphere &b) {
   Quadruple square = 0;
   for (int axis = 0; axis < 3; axis++) {
     const Quadruple d = static_cast<Quadruple>(a.center[axis]) - b.center[axis];
     square += d * d;
   }
   const Quadruple reach = static_cast<Quadruple>(a.radius) + b.radius;
-  return square < reach * reach;
+  return square < reach * reach ? 1 : 0;
 }
 
 // One pair, to all but 113 bits.

@@ -10,19 +10,9 @@ namespace {
 
 using namespace hgtest;
 
-Scene draw(Rng &rng) {
-  const int dimension = rng.integer(2, 3);
-  const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
-  const size_t count = rng.below(250);
-  if (rng.chance(0.4)) return periodic_scene(rng, dimension, rng.integer(1, (1 << dimension) - 1), count, sizes);
-  const Places places = static_cast<Places>(rng.below(kPlacesCount));
-  return open_scene(rng, dimension, places == Places::kCoincident ? count / 3 : count, sizes, places);
-}
-
 void check_double(uint64_t seed) {
   Rng rng(seed);
-  Scene scene = draw(rng);
-  draw_levels(rng, scene);
+  Scene scene = any_scene(rng, rng.below(200));
   scene.def.accuracy = HG_DOUBLE;
   const Grid grid = make_grid(scene.def, scene.particles);
   require_same(scene.name.c_str(), sorted_pairs_of(grid), all_pairs(scene.def, scene.particles, double_interact));
@@ -38,12 +28,12 @@ void require_float(Scene &scene) {
 
 void check_float(uint64_t seed) {
   Rng rng(seed);
-  Scene scene = draw(rng);
-  draw_levels(rng, scene);
+  Scene scene = any_scene(rng, rng.below(200));
   require_float(scene);
 }
 
-// Periodic boxes of just twice the reach, where a particle may touch another through both faces, and itself.
+// Periodic boxes of just twice the reach, tilted or not, where a particle may touch another through both faces, and
+// itself.
 void check_float_in_shortest_box(uint64_t seed) {
   Rng rng(seed);
   Scene scene;
@@ -52,6 +42,7 @@ void check_float_in_shortest_box(uint64_t seed) {
   for (int k = 0; k < 3; k++) {
     scene.def.periodic[k] = 1;
     scene.def.box_max[k] = (rng.chance(0.3) ? 1e9 : 4) * scale;
+    scene.def.tilt[k] = seed % 2 == 0 ? 0.5 * rng.integer(-30, 30) * scale : 0;
   }
   for (int i = 0; i < 30; i++) {
     double x[3];

@@ -106,8 +106,8 @@ void check_giants_at_both_ends(uint64_t seed) {
 }
 void giants_at_both_ends(void **) { assert_true(sweep(200, check_giants_at_both_ends)); }
 
-// A box of length 1 at 2^e: coordinates in it are multiples of 2^(e - 52), those far below it are finer. Pairs touch up
-// to a few of these, in the box and through its faces.
+// A box of length 1 at 2^e, tilted or not: coordinates in it are multiples of 2^(e - 52), those far below it are finer.
+// Pairs touch up to a few of these, in the box and through its faces.
 void check_far_box(uint64_t seed) {
   Rng rng(seed);
   hg_grid_def def = hg_default_grid_def();
@@ -118,6 +118,11 @@ void check_far_box(uint64_t seed) {
   def.periodic[0] = 1;
   def.box_min[0] = start;
   def.box_max[0] = start + 1;
+  if (rng.chance(0.5)) {
+    def.periodic[1] = 1;
+    def.box_max[1] = 200;
+    def.tilt[0] = rng.integer(-99, 99) * 0.25;
+  }
   const int spread = rng.integer(2, 12);
   Particles particles;
   for (int i = 0; i < 40; i++) {
@@ -132,6 +137,58 @@ void check_far_box(uint64_t seed) {
   require_both("far box", def, particles);
 }
 void boxes_far_from_the_origin(void **) { assert_true(sweep(400, check_far_box)); }
+
+// Particles far out along an open axis make the coordinates of the search coarser than the periodic box, through whose
+// faces others still meet.
+void check_open_outlier(uint64_t seed) {
+  Rng rng(seed);
+  Scene scene;
+  scene.name = "outlier along an open axis";
+  hg_grid_def &def = scene.def;
+  def.dimension = scene.particles.dimension = rng.integer(2, 3);
+  def.periodic[0] = 1;
+  def.box_max[0] = rng.uniform(5, 20);
+  if (def.dimension == 3 && rng.chance(0.5)) {
+    def.periodic[1] = 1;
+    def.box_max[1] = 10;
+    def.tilt[0] = rng.chance(0.5) ? rng.uniform(-20, 20) : 0;
+  }
+  def.images = rng.chance(0.3) ? HG_ALL_IMAGES : HG_NEAREST_IMAGE;
+  const size_t count = rng.chance(0.5) ? 60 : 2 + rng.below(10);
+  for (size_t i = 0; i < count; i++) {
+    const double x[3] = {rng.uniform(-20, 40), rng.uniform(0, 10), rng.uniform(0, 5)};
+    scene.particles.add(x, rng.uniform(0, 1));
+  }
+  for (int i = 0; i < 3; i++) {
+    double x[3] = {rng.uniform(0, 5), rng.uniform(0, 5), rng.uniform(0, 5)};
+    x[def.dimension - 1] = std::pow(10, rng.uniform(6, 120)) * (rng.chance(0.5) ? 1 : -1);
+    scene.particles.add(x, 1);
+  }
+  require_both(scene.name, def, scene.particles);
+  const Grid grid = make_grid(def, scene.particles);
+  const double *center = scene.particles.center(rng.below(count));
+  const hgrid::View<int32_t> ids = grid.query_sphere(center, 1);
+  require_same("sphere", std::vector<int32_t>(ids.begin(), ids.end()),
+               all_in_sphere(def, scene.particles, {center, 1}, exact_interact));
+}
+void outliers_along_an_open_axis(void **) { assert_true(sweep(100, check_open_outlier)); }
+
+// Two that meet through a face, and one so far away that the box is shorter than the search can tell places apart.
+void a_face_finer_than_the_search(void **) {
+  assert_true(sweep(40, [](uint64_t exponent) {
+    hg_grid_def def = hg_default_grid_def();
+    def.periodic[0] = 1;
+    def.box_max[0] = 99;
+    Particles particles;
+    for (const double x : {0.5, 98.5}) {
+      const double near[3] = {x, 0, 0};
+      particles.add(near, 1);
+    }
+    const double far[3] = {5, std::pow(10, static_cast<double>(exponent)), 0};
+    particles.add(far, 1);
+    require_both("outlier at 1e" + std::to_string(exponent), def, particles);
+  }));
+}
 
 // A box that is shorter than two reaches by less than its rounded length shows: refused, or handled fully.
 void box_short_by_less_than_rounding(void **) {
@@ -175,6 +232,8 @@ int main() {
                               cmocka_unit_test(lonely_at_the_edge),
                               cmocka_unit_test(giants_at_both_ends),
                               cmocka_unit_test(boxes_far_from_the_origin),
+                              cmocka_unit_test(a_face_finer_than_the_search),
+                              cmocka_unit_test(outliers_along_an_open_axis),
                               cmocka_unit_test(box_short_by_less_than_rounding),
                               cmocka_unit_test(reach_overflows)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);

@@ -47,8 +47,9 @@ void check_large(uint64_t seed) {
   Rng rng(seed);
   const Sizes sizes = static_cast<Sizes>(seed % kSizesCount);
   constexpr Places kOpen[] = {Places::kUniform, Places::kFilaments, Places::kScales};
-  Scene scene =
-      seed % 2 == 0 ? periodic_scene(rng, 3, 5, 5000, sizes) : open_scene(rng, 3, 5000, sizes, kOpen[seed / 2 % 3]);
+  Scene scene = seed % 3 == 0   ? periodic_scene(rng, 3, 5, 5000, sizes)
+                : seed % 3 == 1 ? tilted_scene(rng, 3, 7, 5000, sizes)
+                                : open_scene(rng, 3, 5000, sizes, kOpen[seed / 3 % 3]);
   const Pairs expected = all_pairs(scene.def, scene.particles, exact_interact);
   Pairs with_one_thread;
   for (int32_t threads : {1, 2, 3, 8}) {
@@ -61,7 +62,7 @@ void check_large(uint64_t seed) {
     require_same("visit", visited(grid), with_one_thread);
   }
 }
-void large_sets(void **) { assert_true(sweep(kSizesCount, check_large)); }
+void large_sets(void **) { assert_true(sweep(9, check_large)); }
 
 // Rows count from 0 whatever the first id is; what they hold are ids.
 void check_neighbors(uint64_t seed) {

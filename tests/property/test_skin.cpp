@@ -82,12 +82,11 @@ class Run {
     for (size_t k = 0; k < dimension(); k++) center(i)[k] += rng_.uniform(-most, most) / 2;
   }
 
-  // The same place, some box lengths away, as far as doubles tell it.
+  // The same place, some cells away, as far as doubles tell it.
   void wrap(size_t i) {
-    for (size_t k = 0; k < dimension(); k++) {
-      if (scene_.def.periodic[k] == 0 || !rng_.chance(0.3)) continue;
-      center(i)[k] += rng_.integer(-2, 2) * (scene_.def.box_max[k] - scene_.def.box_min[k]);
-    }
+    const auto cells = [this] { return rng_.chance(0.3) ? rng_.integer(-2, 2) : 0.0; };
+    const double n[3] = {cells(), cells(), cells()};
+    move_by_cells(scene_.def, n, center(i));
   }
 
   void compare() {
@@ -154,12 +153,13 @@ void same_pairs_after_any_step(void **) {
   assert_true(searched > 500);
 }
 
-// A box a few units long, 2^30 from the origin, where steps are multiples of the coordinates' last digit; and pairs
-// that come to touch exactly.
+// A box a few units long, tilted or not, 2^30 from the origin, where steps are multiples of the coordinates' last
+// digit; and pairs that come to touch exactly.
 void check_coarse_places(uint64_t seed) {
   Rng rng(seed);
   hg_grid_def def = hg_default_grid_def();
   def.dimension = 2;
+  def.tilt[0] = rng.chance(0.5) ? 0.25 * rng.integer(-50, 50) : 0;
   def.skin = 0.5;
   const double unit = 0x1p-22, corner = 0x1p30;
   for (int k = 0; k < 2; k++) {
@@ -209,22 +209,30 @@ std::vector<Pairs> lists_of_steps(const Scene &start, double step, int threads, 
 }
 
 // The lists, their order included, do not depend on the threads; those in order of ids are the others, sorted.
+void check_threads(Scene &scene) {
+  const double radius = *std::min_element(scene.particles.radii.begin(), scene.particles.radii.end());
+  scene.def.skin = 0.5 * radius;
+  const double step = 0.05 * radius;
+  std::vector<Pairs> alone = lists_of_steps(scene, step, 1, HG_ORDER_GRID);
+  const auto require_lists = [&](const char *what, int threads, int32_t order) {
+    const std::vector<Pairs> lists = lists_of_steps(scene, step, threads, order);
+    require(lists.size() == alone.size(), "fewer lists");
+    for (size_t k = 0; k < lists.size(); k++) require_same(what, lists[k], alone[k]);
+  };
+  for (const int threads : {2, 5}) require_lists("threads", threads, HG_ORDER_GRID);
+  for (Pairs &pairs : alone) pairs = sorted(pairs);
+  for (const int threads : {1, 2, 5}) require_lists("order of ids", threads, HG_ORDER_ID);
+}
+
 void order_for_any_number_of_threads(void **) {
   assert_true(holds(5, [](uint64_t seed) {
     Rng rng(seed);
     Scene scene = periodic_scene(rng, 3, 5, 22000, Sizes::kUniformVolume);
-    const double radius = *std::min_element(scene.particles.radii.begin(), scene.particles.radii.end());
-    scene.def.skin = 0.5 * radius;
-    const double step = 0.05 * radius;
-    std::vector<Pairs> alone = lists_of_steps(scene, step, 1, HG_ORDER_GRID);
-    const auto require_lists = [&](const char *what, int threads, int32_t order) {
-      const std::vector<Pairs> lists = lists_of_steps(scene, step, threads, order);
-      require(lists.size() == alone.size(), "fewer lists");
-      for (size_t k = 0; k < lists.size(); k++) require_same(what, lists[k], alone[k]);
-    };
-    for (const int threads : {2, 5}) require_lists("threads", threads, HG_ORDER_GRID);
-    for (Pairs &pairs : alone) pairs = sorted(pairs);
-    for (const int threads : {1, 2, 5}) require_lists("order of ids", threads, HG_ORDER_ID);
+    check_threads(scene);
+    scene = tilted_scene(rng, 3, 7, 22000, Sizes::kUniformVolume);
+    check_threads(scene);
+    scene = many_images_scene(rng, 3, 7, 22000, Sizes::kUniformVolume);
+    check_threads(scene);
   }));
 }
 

@@ -37,7 +37,7 @@ Pairs pairs_of(const Grid &grid);
 Pairs sorted_pairs_of(const Grid &grid);
 Pairs sorted(Pairs pairs);
 
-// The rows of hg_query_neighbors as pairs (row, neighbour); throws if a row does not ascend.
+// The rows of hg_query_neighbors as pairs (row, neighbour); throws if a row descends.
 Pairs pairs_of_rows(const Grid &grid, int32_t list);
 
 // What HG_FLOAT may return: each pair once, all of `expected`, and of others only such as nearly touch.

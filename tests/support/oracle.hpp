@@ -9,6 +9,7 @@ namespace hgtest {
 
 using oracle::all_in_sphere;
 using oracle::all_pairs;
+using oracle::can_meet_twice;
 using oracle::double_interact;
 using oracle::exact_interact;
 using oracle::pair_equal;

@@ -161,6 +161,7 @@ void draw_options(Rng &rng, Scene &scene) {
   const double largest =
       scene.particles.count() == 0 ? 1 : *std::max_element(scene.particles.radii.begin(), scene.particles.radii.end());
   if (rng.chance(0.4)) def.margin = rng.uniform(0, 0.2) * largest;
+  def.touching = rng.chance(0.2) ? 1 : 0;
 }
 
 // Periodic axes of the mask: near the origin or far from it, of like lengths or one a million times the others, as long
@@ -186,10 +187,61 @@ void draw_box(Rng &rng, Scene &scene, int axes) {
   }
 }
 
+double length_of(const hg_grid_def &def, int axis) { return def.box_max[axis] - def.box_min[axis]; }
+
+// Nothing, little, halves, whole lengths, many lengths; each up to the last digit.
+double draw_tilt(Rng &rng, double length) {
+  switch (rng.below(8)) {
+    case 0:
+      return 0;
+    case 1:
+      return rng.uniform(-0.5, 0.5) * length;
+    case 2:
+      return rng.chance(0.5) ? 0.5 * length : -0.5 * length;
+    case 3:
+      return rng.chance(0.5) ? length : -length;
+    case 4:
+      return std::nextafter(0.5 * rng.integer(-3, 3) * length, rng.chance(0.5) ? length : -length);
+    case 5:
+      return rng.uniform(-3, 3) * length;
+    case 6:
+      return (rng.integer(-300, 300) + rng.uniform(-0.5, 0.5)) * length;
+    default:
+      return std::ldexp(length, -rng.integer(10, 60));
+  }
+}
+
+void draw_tilts(Rng &rng, hg_grid_def &def) {
+  constexpr int kAxes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+  for (int k = 0; k < (def.dimension == 2 ? 1 : 3); k++) {
+    if (def.periodic[kAxes[k][0]] + def.periodic[kAxes[k][1]] != 2) continue;
+    def.tilt[k] = draw_tilt(rng, length_of(def, kAxes[k][0]));
+  }
+}
+
+// Some particles onto the faces, edges and middles of the cell, some many cells away.
+void scatter(Rng &rng, Scene &scene) {
+  const hg_grid_def &def = scene.def;
+  for (size_t i = 0; i < scene.particles.count(); i++) {
+    double *x = &scene.particles.centers[i * static_cast<size_t>(def.dimension)];
+    double cells[3];
+    if (rng.chance(0.1)) {
+      for (int k = 0; k < def.dimension; k++) x[k] = def.periodic[k] != 0 ? def.box_min[k] : x[k];
+      for (double &n : cells) n = rng.chance(0.5) ? 0.5 * rng.integer(0, 2) : rng.uniform();
+      move_by_cells(def, cells, x);
+    }
+    if (rng.chance(0.2)) {
+      for (double &n : cells) n = rng.integer(-400, 400);
+      move_by_cells(def, cells, x);
+    }
+  }
+}
+
 std::string describe(const Scene &scene, Sizes sizes, const char *places) {
   return std::to_string(scene.particles.dimension) + "D " + kSizesNames[static_cast<int>(sizes)] + " " + places +
          " N=" + std::to_string(scene.particles.count()) +
-         (scene.def.interaction == HG_CONTACT ? " contact" : " max-range") + (scene.def.margin > 0 ? " margin" : "");
+         (scene.def.interaction == HG_CONTACT ? " contact" : " max-range") + (scene.def.margin > 0 ? " margin" : "") +
+         (scene.def.touching != 0 ? " touching" : "");
 }
 
 }  // namespace
@@ -274,12 +326,60 @@ Scene periodic_scene(Rng &rng, int dimension, int axes, size_t count, Sizes size
   return scene;
 }
 
+void move_by_cells(const hg_grid_def &def, const double *cells, double *x) {
+  const double n[3] = {def.periodic[0] != 0 ? cells[0] : 0, def.periodic[1] != 0 ? cells[1] : 0,
+                       def.periodic[2] != 0 ? cells[2] : 0};
+  x[0] += n[0] * length_of(def, 0) + n[1] * def.tilt[0] + n[2] * def.tilt[1];
+  x[1] += n[1] * length_of(def, 1) + n[2] * def.tilt[2];
+  if (def.dimension == 3) x[2] += n[2] * length_of(def, 2);
+}
+
+Scene tilted_scene(Rng &rng, int dimension, int axes, size_t count, Sizes sizes) {
+  Scene scene;
+  scene.particles = draw_particles(rng, dimension, count, sizes, Places::kUniform);
+  draw_options(rng, scene);
+  draw_box(rng, scene, axes);
+  draw_tilts(rng, scene.def);
+  scatter(rng, scene);
+  scene.name = describe(scene, sizes, "tilted") + " periodic axes " + std::to_string(axes);
+  return scene;
+}
+
+Scene many_images_scene(Rng &rng, int dimension, int axes, size_t count, Sizes sizes) {
+  Scene scene;
+  scene.particles = draw_particles(rng, dimension, count, sizes, Places::kUniform);
+  draw_options(rng, scene);
+  hg_grid_def &def = scene.def;
+  def.images = HG_ALL_IMAGES;
+  const double room = std::max(1.0, 0.5 * std::pow(static_cast<double>(count), 1.0 / dimension));
+  double reach = largest_reach(def, scene.particles);
+  if (!(reach > 0)) reach = 1e5;  // longer than the places of points are apart
+  for (int k = 0; k < dimension; k++) {
+    if ((axes >> k & 1) == 0) continue;
+    def.periodic[k] = 1;
+    def.box_min[k] = rng.uniform(-2, 2) * reach;
+    def.box_max[k] = def.box_min[k] + rng.uniform(0.3, 1.5) * reach * room;
+  }
+  if (rng.chance(0.7)) draw_tilts(rng, def);
+  scatter(rng, scene);
+  scene.name = describe(scene, sizes, "many images") + " periodic axes " + std::to_string(axes);
+  return scene;
+}
+
+int draw_tilted_axes(Rng &rng, int dimension) {
+  constexpr int kAxes[] = {3, 5, 6, 7};
+  return dimension == 2 ? 3 : kAxes[rng.below(4)];
+}
+
 Scene any_scene(Rng &rng, size_t count) {
   const int dimension = rng.integer(2, 3);
   const Sizes sizes = static_cast<Sizes>(rng.below(kSizesCount));
-  Scene scene = rng.chance(0.5)
-                    ? periodic_scene(rng, dimension, rng.integer(1, (1 << dimension) - 1), count, sizes)
-                    : open_scene(rng, dimension, count, sizes, static_cast<Places>(rng.below(kPlacesCount)));
+  const int axes = rng.integer(1, (1 << dimension) - 1);
+  const uint64_t kind = rng.below(10);
+  Scene scene = kind < 4   ? open_scene(rng, dimension, count, sizes, static_cast<Places>(rng.below(kPlacesCount)))
+                : kind < 6 ? periodic_scene(rng, dimension, axes, count, sizes)
+                : kind < 8 ? tilted_scene(rng, dimension, draw_tilted_axes(rng, dimension), count, sizes)
+                           : many_images_scene(rng, dimension, axes, count, sizes);
   draw_levels(rng, scene);
   return scene;
 }

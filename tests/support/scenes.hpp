@@ -64,6 +64,19 @@ Scene open_scene(Rng &rng, int dimension, size_t count, Sizes sizes, Places plac
 // evenly or, in any arrangement, a part of it.
 Scene periodic_scene(Rng &rng, int dimension, int axes, size_t count, Sizes sizes);
 
+// A scene whose periodic axes are tilted against each other, wherever two of them are periodic, from not at all to by
+// hundreds of lengths; some particles lie on the faces or hundreds of cells away.
+Scene tilted_scene(Rng &rng, int dimension, int axes, size_t count, Sizes sizes);
+
+// Periodic axes with two or more.
+int draw_tilted_axes(Rng &rng, int dimension);
+
+// HG_ALL_IMAGES in a box that may be shorter than the largest reach, tilted or not.
+Scene many_images_scene(Rng &rng, int dimension, int axes, size_t count, Sizes sizes);
+
+// Moves x by so many edges of the periodic cell along each, as far as doubles tell it.
+void move_by_cells(const hg_grid_def &def, const double *cells, double *x);
+
 // Any of these, with any level rule.
 Scene any_scene(Rng &rng, size_t count);
 
