@@ -54,6 +54,19 @@ inline hg::Domain any_cell(Rng &rng) {
   return rng.chance(0.5) ? whole_cell(rng, dimension) : real_cell(rng, dimension);
 }
 
+// In the box, or box lengths away along its periodic axes, up to as many as are allowed.
+inline void any_center(Rng &rng, const hg::Domain &domain, double *center) {
+  int most = 1 << rng.integer(0, 20);
+  do {
+    for (int axis = 0; axis < domain.dimension; axis++) {
+      const int boxes = domain.periodic[axis] && rng.chance(0.7) ? rng.integer(-most, most) : 0;
+      const double place = rng.chance(0.1) ? rng.integer(0, 1) : rng.uniform();
+      center[axis] = domain.box_min[axis] + (place + boxes) * domain.length[axis];
+    }
+    most /= 2;
+  } while (domain.outside(center).boxes > domain.most_outside());
+}
+
 // A few of each periodic edge.
 inline hg::Shift any_shift(Rng &rng, const hg::Domain &domain, int most) {
   hg::Shift shift;

@@ -105,7 +105,9 @@ class Scene {
   // Where the search has the particle, and how long the box is, in quanta.
   double place(int axis, uint32_t particle) const {
     if (!index_.chunked) return index_.particles.column(axis)[particle];
-    return place_of(index_.map, axis, store_.center(index_.particles.slot[particle])[axis]);
+    double places[3];
+    index_.map.find_place(store_.center(index_.particles.slot[particle]), domain_.dimension, places);
+    return places[axis];
   }
   double period(int axis) const { return index_.chunked ? index_.map.period_place(axis) : index_.map.period[axis]; }
 
