@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 namespace hg {
@@ -20,7 +21,7 @@ Entry *radix_sort(Entry *from, Entry *other, size_t count, int bits, Key &&key) 
   constexpr int kDigit = 11, kMostDigits = 6;  // of 64 bits
   const int digits = (bits + kDigit - 1) / kDigit;
   uint32_t begin[kMostDigits][1 << kDigit];
-  std::fill(begin[0], begin[0] + (static_cast<size_t>(digits) << kDigit), 0u);
+  for (int digit = 0; digit < digits; digit++) std::fill(std::begin(begin[digit]), std::end(begin[digit]), 0u);
   const auto digit_of = [&](const Entry &entry, int digit) {
     return static_cast<size_t>(uint64_t{key(entry)} >> (digit * kDigit)) & ((size_t{1} << kDigit) - 1);
   };

@@ -55,8 +55,12 @@ class ImageBuilder {
   void add_by_steps(const IndexLevel &level, ImageSet wanted) {
     const PointStore &from = index_.particles;
     const int32_t *period = index_.map.period;
-    const ImageInput input{
-        {from.x.data(), from.y.data(), from.z.data()}, {period[0], period[1], period[2]}, reach_of(level), wanted};
+    const bool *periodic = index_.domain.periodic;
+    const ImageInput input{{from.x.data(), from.y.data(), from.z.data()},
+                           {periodic[0], periodic[1], periodic[2]},
+                           {period[0], period[1], period[2]},
+                           reach_of(level),
+                           wanted};
     for (uint32_t begin = level.begin; begin < level.end;) {
       const uint32_t end = begin + std::min(kTogether, level.end - begin);
       append(find_images_(input, begin, end, found_));
@@ -119,14 +123,14 @@ class ImageBuilder {
   // May what lies between two places come near the box by any shift? From inside, none leads there.
   bool is_near_face(const double *low, const double *high, double reach) const {
     for (int axis = 0; axis < dimension_; axis++) {
-      if (period_[axis] > 0 && (low[axis] <= reach || high[axis] + reach >= period_[axis])) return true;
+      if (index_.domain.periodic[axis] && (low[axis] <= reach || high[axis] + reach >= period_[axis])) return true;
     }
     return false;
   }
 
   bool comes_near(const double *low, const double *high, Image image, double reach) const {
     for (int axis = 0; axis < 3; axis++) {
-      if (period_[axis] > 0) {
+      if (index_.domain.periodic[axis]) {
         const double moved = shifts_.quanta(image, axis);
         if (high[axis] + moved + reach < 0 || low[axis] + moved - reach > period_[axis]) return false;
       } else if (shifts_[image].n[axis] != 0) {

@@ -37,7 +37,7 @@ class ImageBlock {
   }
 
  private:
-  bool is_periodic(int axis) const { return axis < D && input_.period[axis] != 0; }
+  bool is_periodic(int axis) const { return axis < D && input_.periodic[axis]; }
 
   // Of the images that move along an axis, those of points that come near the box by it.
   void keep_near(int axis, size_t at, size_t count) {

@@ -56,7 +56,7 @@ class SphereSearch {
     const double enough = std::min(reach * (1 + 0x1p-40), farthest_image());
     PlaceBox from, to;
     for (int axis = 0; axis < domain.dimension; axis++) {
-      const double around = enough + place_slack(domain, axis) + kFarSlack / index_.map.scale;
+      const double around = enough + place_slack(domain, axis);
       from.low[axis] = from.high[axis] = place_[axis];
       to.low[axis] = -around;
       to.high[axis] = index_.map.extent[axis] / index_.map.scale + around;

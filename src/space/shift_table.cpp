@@ -10,8 +10,8 @@
 namespace hg {
 namespace {
 
-// Wider than what the search allows for, in quanta and in parts of the reach.
-constexpr double kSlack = 4096, kScale = 1 + 0x1p-16;
+// What reaches and lengths may be rounded by, and more.
+constexpr double kScale = 1 + 0x1p-16, kSlack = 0x1p-20;
 
 int32_t lowest_bits(double whole) { return static_cast<int32_t>(static_cast<uint32_t>(static_cast<int64_t>(whole))); }
 
@@ -37,7 +37,7 @@ void ShiftTable::list(const Domain &domain, const FixedPoint &map, double reach)
   if (steps_by_one_) {
     list_steps();
   } else {
-    list_near(domain, reach * kScale + kSlack / map.scale);
+    list_near(domain, reach * kScale);
   }
   set_cell(domain, map);
 }
@@ -47,8 +47,9 @@ void ShiftTable::list_near(const Domain &domain, double reach) {
   PlaceBox box, around;
   for (int axis = 0; axis < domain.dimension; axis++) {
     box.high[axis] = domain.length[axis];
-    around.low[axis] = -reach;
-    around.high[axis] = domain.length[axis] + reach;
+    const double slack = kSlack * domain.length[axis];
+    around.low[axis] = -(reach + slack);
+    around.high[axis] = domain.length[axis] + (reach + slack);
   }
   Image forward = 0;
   visit_shifts(domain, box, around, [&](const Shift &shift) {

@@ -28,6 +28,7 @@ enum class Filling {
 struct CrowdShape {
   int dimension = 3;
   bool periodic = false;
+  double tilt[3] = {0, 0, 0};  // in lengths
   Filling filling = Filling::kEven;
   size_t count = 0;
   hg::Interaction interaction;
@@ -38,6 +39,9 @@ inline CrowdShape any_shape(Rng &rng, size_t count) {
   CrowdShape shape;
   shape.dimension = rng.integer(2, 3);
   shape.periodic = rng.chance(0.5);
+  if (shape.periodic && rng.chance(0.5)) {
+    for (int k = 0; k < (shape.dimension == 3 ? 3 : 1); k++) shape.tilt[k] = rng.chance(0.3) ? 0 : rng.uniform(-2, 2);
+  }
   if (rng.chance(0.4)) shape.filling = shape.periodic || rng.chance(0.5) ? Filling::kCorner : Filling::kOutlier;
   shape.count = count;
   return shape;
@@ -83,6 +87,7 @@ class Crowd {
   static hg::Domain box_of(const CrowdShape &shape) {
     hg::Domain domain = open_space(shape.dimension);
     for (int axis = 0; axis < shape.dimension; axis++) set_box(domain, axis, 0, kEdge, shape.periodic);
+    for (int k = 0; k < 3; k++) domain.tilt[k] = kEdge * shape.tilt[k];
     return domain;
   }
 

@@ -4,9 +4,12 @@
 #pragma once
 
 #include "src/space/fixed_point.hpp"
+#include "tests/unit/cells.hpp"
 #include "tests/unit/checks.hpp"
 
 #include <gmpxx.h>
+
+#include <array>
 
 namespace hgtest {
 
@@ -16,49 +19,41 @@ inline mpz_class floor_of(const mpq_class &x) {
   return quotient;
 }
 
-// What a map makes of a centre on one axis, where no tilt moves it: quanta, the place, the coordinate.
-template <class Found, class Find>
-Found on_axis(int axis, double center, Find &&find) {
-  double x[3] = {0, 0, 0};
-  Found found[3];
-  x[axis] = center;
-  find(x, found);
-  return found[axis];
-}
-inline double quanta_of(const hg::FixedPoint &map, int axis, double center) {
-  return on_axis<double>(axis, center, [&](const double *x, double *found) { map.find_quanta(x, 3, found); });
-}
-inline double place_of(const hg::FixedPoint &map, int axis, double center) {
-  return on_axis<double>(axis, center, [&](const double *x, double *found) { map.find_place(x, 3, found); });
-}
-inline int32_t coordinate_of(const hg::FixedPoint &map, int axis, double center) {
-  return on_axis<int32_t>(axis, center, [&](const double *x, int32_t *found) { map.find_coordinates(x, 3, found); });
-}
-
 // Coordinates are rounded down, after an error of rounding, or of wrapping where the axis is periodic
 // (docs/theory/exactness.md).
 inline mpq_class place_slack(const hg::Domain &domain, int axis) {
   return domain.periodic[axis] ? mpq_class(3, 8) : mpq_class(1, 1 << 20);
 }
 
-// By how many quanta the coordinate is below the centre; on periodic axes modulo the box, from -slack on.
-inline mpq_class place_error(const hg::FixedPoint &map, const hg::Domain &domain, int axis, double center,
-                             int32_t coordinate, const mpq_class &slack) {
+// By how many quanta a place is below the centre on each axis; on periodic axes but for whole edges of the cell, which
+// leave -slack or more.
+template <class Number>
+std::array<mpq_class, 3> place_errors(const hg::FixedPoint &map, const hg::Domain &domain, const double *center,
+                                      const Number *place, const mpq_class &slack) {
   const mpq_class scale(map.scale);
-  if (!domain.periodic[axis]) return (mpq_class(center) - 2 * mpq_class(map.half_origin[axis])) * scale - coordinate;
-  const mpq_class low(domain.box_min[axis]), length = (mpq_class(domain.box_max[axis]) - low) * scale;
-  const mpq_class error = (mpq_class(center) - low) * scale - coordinate;
-  return error - floor_of((error + slack) / length) * length;
+  std::array<mpq_class, 3> error;
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    const mpq_class low = 2 * mpq_class(map.half_origin[axis]) + mpq_class(map.box_min[axis]);
+    error[axis] = (mpq_class(center[axis]) - low) * scale - mpq_class(place[axis]);
+  }
+  for (int edge = domain.dimension - 1; edge >= 0; edge--) {
+    if (!domain.periodic[edge]) continue;
+    const mpz_class edges = floor_of((error[edge] + slack) / (exact_edge(domain, edge, edge) * scale));
+    for (int axis = 0; axis <= edge; axis++) error[axis] -= edges * exact_edge(domain, edge, axis) * scale;
+  }
+  return error;
 }
 
 inline bool is_floor(const mpq_class &error, const mpq_class &slack) { return error >= -slack && error <= 1 + slack; }
 
-// Throws unless the coordinate is that of the centre.
-inline void require_place(const hg::FixedPoint &map, const hg::Domain &domain, int axis, double center,
-                          int32_t coordinate) {
-  const mpq_class slack = place_slack(domain, axis), error = place_error(map, domain, axis, center, coordinate, slack);
-  require(is_floor(error, slack), "axis %d%s: %a is %g quanta from its coordinate %d", axis,
-          domain.periodic[axis] ? " (periodic)" : "", center, error.get_d(), coordinate);
+// Throws unless the coordinates are those of the centre.
+inline void require_place(const hg::FixedPoint &map, const hg::Domain &domain, const double *center,
+                          const int32_t *coordinate) {
+  const auto errors = place_errors(map, domain, center, coordinate, mpq_class(3, 8));
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    require(is_floor(errors[axis], place_slack(domain, axis)), "axis %d%s: %a is %g quanta from its coordinate %d",
+            axis, domain.periodic[axis] ? " (periodic)" : "", center[axis], errors[axis].get_d(), coordinate[axis]);
+  }
 }
 
 }  // namespace hgtest

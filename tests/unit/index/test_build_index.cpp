@@ -118,9 +118,8 @@ class Scene {
     const hg::PointStore &points = index_.particles;
     for (uint32_t i = 0; i < store_.slots(); i++) {
       const double *center = store_.center(points.slot[i]);
-      for (int axis = 0; axis < domain_.dimension; axis++) {
-        require_place(index_.map, domain_, axis, center[axis], points.column(axis)[i]);
-      }
+      const int32_t place[3] = {points.x[i], points.y[i], domain_.dimension == 3 ? points.z[i] : 0};
+      require_place(index_.map, domain_, center, place);
     }
   }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Periodic images: all that can reach into the box, each once, forward steps first, backward ones where there is a
-// finer level; where the box is filled evenly, and where all lie in a small part of it, in chunks.
+// Periodic images: all that can reach into the box, each once, forward ones first, backward ones where there is a finer
+// level; where the box is filled evenly, and where all lie in a small part of it, in chunks; in cells that are tilted
+// or shorter than reaches, too.
 #include "src/index/build_index.hpp"
 #include "src/particles/bounds.hpp"
 #include "tests/unit/checks.hpp"
@@ -24,9 +25,9 @@ using hg::IndexLevel;
 
 using Key = std::pair<uint32_t, hg::Image>;  // slot and image
 
-bool is_forward(hg::Image image) {
+bool is_forward(const hg::Shift &shift) {
   for (int axis = 2; axis >= 0; axis--) {
-    if (hg::image_step(image, axis) != 0) return hg::image_step(image, axis) > 0;
+    if (shift.n[axis] != 0) return shift.n[axis] > 0;
   }
   return false;
 }
@@ -40,8 +41,10 @@ class Scene {
         scratch_(memory),
         store_(make_store(memory, domain_)) {}
 
-  // Whether the index is in chunks.
-  bool check(bool in_a_part) {
+  struct Kind {
+    bool chunked, tilted, short_cell;
+  };
+  Kind check(bool in_a_part) {
     part_ = in_a_part ? 1.0 / 32 : 1;
     insert();
     const double sizes[4] = {1e-6 * part_, 0.02 * part_, 0.1 * part_, 0.4 * part_};
@@ -58,7 +61,7 @@ class Scene {
       check_images(level);
       check_complete(level, level.begin > 0);
     }
-    return index_.chunked;
+    return {index_.chunked, domain_.is_tilted() && begin > 0, domain_.all_images && begin > 0};
   }
 
  private:
@@ -69,6 +72,11 @@ class Scene {
       const double low = rng_.uniform(-1, 1);
       set_box(d, axis, low, low + rng_.uniform(0.9, 3), rng_.chance(0.6));
     }
+    if (rng_.chance(0.2)) {
+      d.all_images = true;
+      set_box(d, rng_.integer(0, d.dimension - 1), 0, rng_.uniform(0.1, 0.4));
+    }
+    if (rng_.chance(0.6)) tilt_some(rng_, d, [&](double length) { return length * rng_.uniform(-3, 3); });
     return d;
   }
 
@@ -96,8 +104,9 @@ class Scene {
     for (uint32_t i = level.image_begin; i < level.image_end; i++) {
       const Key key(index_.images.slot[i], index_.images.image[i]);
       require(found_.insert(key).second, "slot %u has image %d twice", key.first, key.second);
-      require(key.second != hg::kImages / 2, "slot %u is its own image", key.first);
-      require(is_forward(key.second) == (i < level.image_forward_end), "image %d is on the wrong side", key.second);
+      require(!shift_of(key.second).is_none(), "slot %u is its own image", key.first);
+      require(is_forward(shift_of(key.second)) == (i < level.image_forward_end), "image %d is on the wrong side",
+              key.second);
       at_[key] = i;
     }
   }
@@ -105,15 +114,19 @@ class Scene {
   // Where the search has the particle, and how long the box is, in quanta.
   double place(int axis, uint32_t particle) const {
     if (!index_.chunked) return index_.particles.column(axis)[particle];
-    return place_of(index_.map, axis, store_.center(index_.particles.slot[particle])[axis]);
+    double places[3];
+    index_.map.find_place(store_.center(index_.particles.slot[particle]), domain_.dimension, places);
+    return places[axis];
   }
   double period(int axis) const { return index_.chunked ? index_.map.period_place(axis) : index_.map.period[axis]; }
 
-  // Whether a particle, moved by `step`, comes within `distance` of the box.
-  bool reaches(int axis, uint32_t particle, int step, double distance) const {
-    if (step == 0) return true;
-    if (axis >= domain_.dimension || !domain_.periodic[axis]) return false;
-    const double at = place(axis, particle) + step * period(axis);
+  // Shifts and what they are in quanta: space/test_shift_table.cpp.
+  hg::Shift shift_of(hg::Image image) const { return index_.shifts[image]; }
+
+  // Whether a particle, moved by a shift, comes within `distance` of the box.
+  bool reaches(int axis, uint32_t particle, hg::Image image, double distance) const {
+    if (axis >= domain_.dimension || !domain_.periodic[axis]) return shift_of(image).n[axis] == 0;
+    const double at = place(axis, particle) + index_.shifts.quanta(image, axis);
     return at + distance >= 0 && at - distance <= period(axis);
   }
 
@@ -121,12 +134,11 @@ class Scene {
     const double reach = 2 * interaction_.folded_radius(level.largest_radius) * index_.map.scale;
     size_t images = 0;
     for (uint32_t i = level.begin; i < level.end; i++) {
-      for (hg::Image image = 0; image < 27; image++) {
-        bool must = image != hg::kImages / 2 && (some_finer || is_forward(image)), may = must;
+      for (hg::Image image = 0; image < index_.shifts.count(); image++) {
+        bool must = !shift_of(image).is_none() && (some_finer || is_forward(shift_of(image))), may = must;
         for (int axis = 0; axis < 3; axis++) {
-          const int step = hg::image_step(image, axis);
-          must = must && reaches(axis, i, step, reach + 4);
-          may = may && reaches(axis, i, step, reach * 1.001 + 4096);
+          must = must && reaches(axis, i, image, reach + 4);
+          may = may && reaches(axis, i, image, reach * 1.001 + 4096);
         }
         const auto found = at_.find({index_.particles.slot[i], image});
         require(!must || found != at_.end(), "slot %u: image %d is missing", index_.particles.slot[i], image);
@@ -142,7 +154,7 @@ class Scene {
 
   void check_one(uint32_t particle, uint32_t at, hg::Image image) {
     for (int axis = 0; axis < domain_.dimension; axis++) {
-      const double expected = place(axis, particle) + hg::image_step(image, axis) * period(axis);
+      const double expected = place(axis, particle) + index_.shifts.quanta(image, axis);
       const auto wrapped = static_cast<int32_t>(static_cast<uint32_t>(static_cast<int64_t>(expected)));
       require(index_.images.column(axis)[at] == wrapped, "image %d: coordinate %d", image, axis);
       require(!index_.chunked || index_.image_place[axis][at] == expected, "image %d: place %d", image, axis);
@@ -161,18 +173,29 @@ class Scene {
   std::map<Key, uint32_t> at_;
 };
 
-bool check_scene(uint64_t seed, bool in_a_part) {
-  hg::Memory memory(hg::system_allocator());
-  return Scene(seed, memory).check(in_a_part);
+struct Kinds {
+  int chunked = 0, tilted = 0, short_cells = 0;
+};
+
+void check_scenes(bool in_a_part, Kinds &kinds) {
+  assert_true(sweep(300, [&](uint64_t seed) {
+    hg::Memory memory(hg::system_allocator());
+    const Scene::Kind kind = Scene(seed, memory).check(in_a_part);
+    kinds.chunked += kind.chunked ? 1 : 0;
+    kinds.tilted += kind.tilted ? 1 : 0;
+    kinds.short_cells += kind.short_cell ? 1 : 0;
+  }));
 }
 
 void evenly_filled(void **) {
-  assert_true(sweep(200, [](uint64_t seed) { check_scene(seed, false); }));
+  Kinds kinds;
+  check_scenes(false, kinds);
+  assert_true(kinds.tilted > 50 && kinds.short_cells > 30);
 }
 void in_chunks(void **) {
-  int chunked = 0;
-  assert_true(sweep(200, [&](uint64_t seed) { chunked += check_scene(seed, true) ? 1 : 0; }));
-  assert_true(chunked > 100);
+  Kinds kinds;
+  check_scenes(true, kinds);
+  assert_true(kinds.chunked > 150 && kinds.tilted > 50 && kinds.short_cells > 30);
 }
 
 }  // namespace

@@ -34,7 +34,8 @@ struct Points {
   void shuffle(Rng &rng) {
     for (size_t k = slot.size(); k > 1; k--) std::swap(slot[k - 1], slot[rng.below(k)]);
   }
-  double &center(size_t p, size_t axis) { return centers[slot[p] * dimension + axis]; }
+  double *center(size_t p) { return centers.data() + slot[p] * dimension; }
+  double &center(size_t p, size_t axis) { return center(p)[axis]; }
   double &radius_now(size_t p) { return radii[slot[p]]; }
 
   hg::UpdateInput input(bool with_radii, const hg::Interval *extent) const {

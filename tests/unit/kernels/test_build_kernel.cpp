@@ -66,7 +66,9 @@ class Scene {
   Scene(uint64_t seed, size_t count) : rng_(seed), space_(rng_), count_(count) {
     const double largest = std::ldexp(1 / space_.map.scale, rng_.integer(0, 28));
     for (size_t i = 0; i < count; i++) {
-      for (int axis = 0; axis < dimension(); axis++) centers_.push_back(space_.any_center(rng_, axis));
+      double center[3];
+      space_.any_center(rng_, center);
+      centers_.insert(centers_.end(), center, center + dimension());
       radii_.push_back(rng_.chance(0.1) ? 0 : largest * std::pow(2, rng_.uniform(-20, 0)));
     }
     lay_levels(largest);
@@ -196,11 +198,11 @@ class Scene {
       const bool after =
           at == 0 || built.row_of[i] > built.row_of[before] || (built.row_of[i] == built.row_of[before] && i > before);
       require(after, "point %zu, slot %zu, is out of order", at, i);
-      const int32_t x[3] = {point.x, point.y, point.z};
+      const int32_t place[3] = {point.x, point.y, point.z};
       for (int axis = 0; axis < dimension(); axis++) {
-        require(x[axis] >= 0 && x[axis] < 1 << 30, "coordinate %d", x[axis]);
-        require_place(space_.map, space_.domain, axis, center(i)[axis], x[axis]);
+        require(place[axis] >= 0 && place[axis] < 1 << 30, "coordinate %d", place[axis]);
       }
+      require_place(space_.map, space_.domain, center(i), place);
       require(dimension() == 3 || point.z == 0, "z is %d in 2D", point.z);
       const uint32_t row = row_of(radii_[i], point.y, point.z);
       require(built.row_of[i] == row, "slot %zu is in row %u instead of %u", i, built.row_of[i], row);

@@ -55,7 +55,9 @@ class Scene {
     const double largest = extent * std::pow(2, rng_.uniform(-24, 0));
     map_ = space_.wrapping(largest);
     for (size_t i = 0; i < count; i++) {
-      for (int axis = 0; axis < dimension(); axis++) centers_.push_back(space_.any_center(rng_, axis));
+      double center[3];
+      space_.any_center(rng_, center);
+      centers_.insert(centers_.end(), center, center + dimension());
       radii_.push_back(rng_.chance(0.1) ? 0 : largest * std::pow(2, rng_.uniform(-20, 0)));
     }
     lay_levels(largest);
@@ -84,8 +86,9 @@ class Scene {
  private:
   int dimension() const { return space_.domain.dimension; }
   int64_t place(size_t slot, int axis) const {
-    const double center = centers_[slot * static_cast<size_t>(dimension()) + static_cast<size_t>(axis)];
-    return static_cast<int64_t>(place_of(map_, axis, center));  // held against rational numbers in test_fixed_point.cpp
+    double places[3];  // held against rational numbers in test_fixed_point.cpp
+    map_.find_place(centers_.data() + slot * static_cast<size_t>(dimension()), dimension(), places);
+    return static_cast<int64_t>(places[axis]);
   }
   size_t level_of(double radius) const {
     size_t h = 0;

@@ -19,7 +19,8 @@ class Scene {
  public:
   Scene(uint64_t seed, size_t count) : rng_(seed), dimension_(rng_.integer(2, 3)) {
     for (int axis = 0; axis < dimension_; axis++) {
-      if (rng_.chance(0.7)) input_.period[axis] = rng_.integer(1 << 12, 1 << 30);
+      input_.periodic[axis] = rng_.chance(0.7);
+      if (input_.periodic[axis]) input_.period[axis] = rng_.chance(0.05) ? 0 : rng_.integer(1 << 12, 1 << 30);
       reach_ = std::min(reach_, input_.period[axis] > 0 ? input_.period[axis] / 2 : reach_);
     }
     reach_ = rng_.chance(0.5) ? reach_ : rng_.integer(0, reach_);
@@ -63,7 +64,7 @@ class Scene {
 
   bool comes_near(size_t i, int axis, int step) const {
     if (step == 0) return true;
-    if (axis >= dimension_ || input_.period[axis] == 0) return false;
+    if (axis >= dimension_ || !input_.periodic[axis]) return false;
     const auto x = static_cast<float>(x_[axis][i]), period = static_cast<float>(input_.period[axis]);
     return step < 0 ? (x - period) + input_.reach >= 0 : (x + period) - input_.reach <= period;
   }

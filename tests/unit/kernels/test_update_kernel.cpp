@@ -27,10 +27,10 @@ class AnyMotion {
     points_.extra = rng_.chance(0.5) ? 0 : quantum * std::pow(2, rng_.uniform(0, 28));
     points_.extra_wide = points_.extra + quantum * std::pow(2, rng_.uniform(0, 28));
     for (size_t p = 0; p < count; p++) {
-      for (size_t axis = 0; axis < points_.dimension; axis++) {
-        points_.center(p, axis) = space_.any_center(rng_, static_cast<int>(axis));
-        points_.x[axis][p] = coordinate_of(space_.map, static_cast<int>(axis), points_.center(p, axis));
-      }
+      int32_t x[3];
+      space_.any_center(rng_, points_.center(p));
+      space_.map.find_coordinates(points_.center(p), space_.domain.dimension, x);
+      for (size_t axis = 0; axis < points_.dimension; axis++) points_.x[axis][p] = x[axis];
       points_.radius_now(p) = quantum * std::pow(2, rng_.uniform(0, 28));
       points_.radius[p] = static_cast<float>((points_.radius_now(p) + points_.extra_wide) * space_.map.scale);
     }
@@ -60,18 +60,18 @@ class AnyMotion {
   void move() {
     const double step = std::pow(2, rng_.uniform(-3, 30)) / space_.map.scale;
     for (size_t p = 0; p < points_.slot.size(); p++) {
+      double *center = points_.center(p);
+      const bool anywhere = rng_.chance(0.3);
+      if (anywhere) space_.any_center(rng_, center);
       for (size_t axis = 0; axis < points_.dimension; axis++) {
-        const auto a = static_cast<int>(axis);
-        double &x = points_.center(p, axis);
-        x += step * rng_.uniform(-1, 1);
-        if (space_.domain.periodic[axis]) {
-          const double length = space_.domain.length[axis];
-          if (rng_.chance(0.3)) x = space_.any_center(rng_, a);
-          if (std::fabs(space_.domain.wraps(a, x)) >= hg::kMaxWraps) x = space_.domain.box_min[axis] + 0.5 * length;
-        } else if (rng_.chance(0.02)) {
-          x = rng_.chance(0.5) ? -1.7e308 : 1.7e308;
+        const bool periodic = space_.domain.periodic[axis];
+        if (!periodic && rng_.chance(0.02)) {
+          center[axis] = rng_.chance(0.5) ? -1.7e308 : 1.7e308;
+        } else if (!anywhere) {
+          center[axis] += step * rng_.uniform(-1, 1);
         }
       }
+      if (!space_.is_allowed(center)) space_.any_center(rng_, center);
       if (with_radii_) points_.radius_now(p) *= rng_.uniform(0, 3);
     }
   }
@@ -81,17 +81,18 @@ class AnyMotion {
   }
 
   void check_place(size_t p, const hg::Point &now) {
+    const double *center = points_.center(p);
+    // Periods are rounded, which adds half a quantum in other images than the box's own.
+    const int32_t here[3] = {now.x, now.y, now.z};
+    const auto errors = place_errors(space_.map, space_.domain, center, here, mpq_class(7, 8));
     for (int axis = 0; axis < space_.domain.dimension; axis++) {
-      const auto a = static_cast<size_t>(axis);
-      const double x = points_.center(p, a);
-      const int32_t c = coordinate(now, axis), start = points_.x[a][p];
-      // Periods are rounded, which adds half a quantum in other images than the box's own.
-      const mpq_class slack = place_slack(space_.domain, axis) + (space_.domain.periodic[axis] ? mpq_class(1, 2) : 0);
-      const mpq_class error = place_error(space_.map, space_.domain, axis, x, c, slack);
+      const mpq_class &error = errors[axis];
+      const int32_t c = here[axis], start = points_.x[axis][p];
       if (space_.domain.periodic[axis]) {
         // The nearest image to the start.
         const int32_t half = space_.map.period[axis] / 2 + 1;
-        require(is_floor(error, slack), "axis %d: %a is %g quanta from %d", axis, x, error.get_d(), c);
+        require(is_floor(error, mpq_class(7, 8)), "axis %d: %a is %g quanta from %d", axis, center[axis], error.get_d(),
+                c);
         require(std::abs(c - start) <= half, "axis %d: %d is not the nearest image to %d", axis, c, start);
         continue;
       }
@@ -99,7 +100,8 @@ class AnyMotion {
       const mpq_class exact = error + c;
       constexpr int32_t kLow = -(1 << 29), kHigh = INT32_MAX - (1 << 29);
       const mpq_class kept = exact < kLow ? mpq_class(kLow) : (exact > kHigh ? mpq_class(kHigh) : exact);
-      require(is_floor(kept - c, slack), "axis %d: %a is %g quanta from %d", axis, x, error.get_d(), c);
+      require(is_floor(kept - c, place_slack(space_.domain, axis)), "axis %d: %a is %g quanta from %d", axis,
+              center[axis], error.get_d(), c);
     }
     require(space_.domain.dimension == 3 || now.z == 0, "z = %d in 2D", now.z);
     if (!with_radii_) {
@@ -147,6 +149,11 @@ class WholeSteps {
       points_.map.length[axis] = kPeriod;
       points_.map.period[axis] = kPeriod;
     }
+    for (const auto &[higher, lower] : kTiltedAxes) {
+      if (points_.map.period[higher] == 0 || points_.map.period[lower] == 0 || rng_.chance(0.5)) continue;
+      points_.map.tilt[hg::kTiltOf[higher][lower]] = rng_.integer(-3 * kPeriod, 3 * kPeriod);
+      points_.map.tilted = true;
+    }
     for (size_t p = 0; p < points_.slot.size(); p++) {
       for (size_t axis = 0; axis < points_.dimension; axis++) {
         // At a face now and then, which a step then crosses.
@@ -167,7 +174,7 @@ class WholeSteps {
     const size_t first = rng_.below(points_.dimension), second = (first + 1) % points_.dimension;
     step[first] = (rng_.chance(0.5) ? 3 : -3) * scale;
     step[second] = (rng_.chance(0.5) ? 4 : -4) * scale;
-    for (size_t axis = 0; axis < points_.dimension; axis++) move(who, axis, step[axis]);
+    move(who, step);
     check_room(begin, end, who, step, 5 * scale);
 
     // Growth takes from the room, and the floats' errors up to a quantum more; shrinking gives nothing back.
@@ -179,7 +186,8 @@ class WholeSteps {
     require(is_near(begin, end, true, 5 * scale + 1), "shrinking took room");
     require(!is_near(begin, end, true, 5 * scale - 1), "shrinking gave room");
     // More growth than room, without motion: the square of what is left is of no use.
-    for (size_t axis = 0; axis < points_.dimension; axis++) move(who, axis, 0);
+    constexpr int kNowhere[3] = {0, 0, 0};
+    move(who, kNowhere);
     points_.radius_now(who) = static_cast<double>(points_.radius[who]) + 10 * scale;
     require(!is_near(begin, end, true, 5 * scale), "growth of twice the room is allowed");
     // What is outside the range is not looked at.
@@ -189,11 +197,17 @@ class WholeSteps {
  private:
   static constexpr int kPeriod = 1 << 20;
 
-  // To `step` quanta from the start, in any box.
-  void move(size_t p, size_t axis, int step) {
-    const int farthest = rng_.chance(0.5) ? 1 : 1000000;
-    const int boxes = points_.map.period[axis] > 0 ? rng_.integer(-farthest, farthest) : 0;
-    points_.center(p, axis) = points_.x[axis][p] + step + static_cast<double>(boxes) * kPeriod;
+  // By `step` quanta from the start, in any box.
+  void move(size_t p, const int *step) {
+    const int farthest = rng_.chance(0.5) ? 1 : 100000;
+    for (size_t axis = 0; axis < points_.dimension; axis++) points_.center(p, axis) = points_.x[axis][p] + step[axis];
+    for (size_t axis = 0; axis < points_.dimension; axis++) {
+      const double boxes = points_.map.period[axis] > 0 ? rng_.integer(-farthest, farthest) : 0;
+      points_.center(p, axis) += boxes * kPeriod;
+      for (size_t lower = 0; lower < axis; lower++) {
+        points_.center(p, lower) += boxes * points_.map.tilt[hg::kTiltOf[axis][lower]];
+      }
+    }
   }
 
   bool is_near(size_t begin, size_t end, bool with_radii, int room) {

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Stored candidates against the oracle: what is collected, what of it interacts after any motion within the skin,
 // through faces of the box too, when a particle has gone too far, and when candidates are too many; in chunks, too.
-#include "src/search/candidate_filter.hpp"
 #include "src/search/skin.hpp"
-#include "src/search/stored_candidates.hpp"
-#include "tests/unit/crowd.hpp"
+#include "tests/unit/cells.hpp"
 #include "tests/unit/same_pairs.hpp"
+#include "tests/unit/search/stored.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -17,59 +16,6 @@ using namespace hgtest;
 using hg::Image;
 
 Sphere particle(const Crowd &crowd, size_t i) { return {crowd.particles.center(i), crowd.particles.radii[i]}; }
-
-// A crowd with its candidates.
-struct Stored {
-  Stored(uint64_t seed, const CrowdShape &shape, int threads = 1)
-      : memory(hg::system_allocator()),
-        crowd(seed, memory, shape),
-        pool(memory, threads),
-        candidates(memory, threads) {}
-
-  bool collect() {
-    hg::SearchCounts counts;
-    return candidates.collect(crowd.index, crowd.tasks, crowd.store, crowd.overlap.interaction(), pool, counts);
-  }
-  // The interacting ones, in their order.
-  Pairs filtered() {
-    hg::PairList list(memory);
-    const hg::SearchCounts counts =
-        list.gather(hg::CandidateFilter(candidates, crowd.store, crowd.overlap), pool, crowd.store.slots());
-    require(counts.candidates == static_cast<int64_t>(candidates.count()), "%lld candidates were filtered",
-            static_cast<long long>(counts.candidates));
-    return Pairs(list.data(), list.data() + list.count());
-  }
-  // The same, asked for one by one.
-  Pairs decided() const {
-    Pairs pairs;
-    int64_t exact = 0;
-    for (size_t k = 0; k < candidates.count(); k++) {
-      const auto a = static_cast<uint32_t>(candidates.pairs()[k].a), b = static_cast<uint32_t>(candidates.pairs()[k].b);
-      if (candidates.interact(a, b, crowd.store, crowd.overlap, exact))
-        pairs.push_back(slots_of(candidates.pairs()[k]));
-    }
-    return pairs;
-  }
-  // A pair of points as a pair of particles.
-  hg_pair slots_of(const hg_pair &pair) const {
-    const auto a = static_cast<int32_t>(candidates.slots()[pair.a]),
-               b = static_cast<int32_t>(candidates.slots()[pair.b]);
-    return {std::min(a, b), std::max(a, b)};
-  }
-
-  hg::Memory memory;
-  Crowd crowd;
-  hg::PairPool pool;
-  hg::StoredCandidates candidates;
-};
-
-CrowdShape skinned_shape(Rng &rng, size_t count) {
-  CrowdShape shape = any_shape(rng, count);
-  static constexpr double kSkins[] = {0.01, 0.5, 4};
-  shape.skin = kSkins[rng.below(3)];
-  shape.interaction = {rng.chance(0.5) ? HG_CONTACT : HG_MAX_RANGE, rng.chance(0.5) ? 0.0 : 1.0};
-  return shape;
-}
 
 class Run {
  public:
@@ -82,6 +28,7 @@ class Run {
         start_(crowd_.particles) {
     // Beside an outlier the skin is but a few quanta.
     half_ = 0.5 * shape_.skin * (1 - 0x1p-19) - 20 / crowd_.index.map.scale;
+    near_.list(crowd_.index.domain, crowd_.index.map, 60 + shape_.skin);
   }
 
   // Whether the index is in chunks.
@@ -171,22 +118,19 @@ class Run {
     for (size_t p = 0; p < crowd_.store.slots(); p++) {
       const size_t slot = candidates_.slots()[p];
       bool met = false;
-      for (Image image = 0; image < hg::kImages; image++) {
-        if (!is_possible(image)) continue;
-        const hg::Shift seen = step_of(image) + candidates_.boxes(p, crowd_.store) - crowd_.index.domain.boxes(center);
+      for (Image image = 0; image < near_.count(); image++) {
+        if (!is_possible(near_[image])) continue;
+        const hg::Shift seen = near_[image] + candidates_.boxes(p, crowd_.store) - crowd_.index.domain.boxes(center);
         int64_t exact = 0;
         met = met || crowd_.overlap.holds({center, sphere.radius}, crowd_.store.ball(slot), seen, exact);
       }
-      require(met == exact_interact(crowd_.rule(), sphere, particle(crowd_, slot)), "a sphere meets slot %zu: %d", slot,
-              met);
+      require(met == (exact_interact(crowd_.rule(), sphere, particle(crowd_, slot)) > 0), "a sphere meets slot %zu: %d",
+              slot, met);
     }
   }
-  static hg::Shift step_of(Image image) {
-    return {{hg::image_step(image, 0), hg::image_step(image, 1), hg::image_step(image, 2)}};
-  }
-  bool is_possible(Image image) const {
+  bool is_possible(const hg::Shift &shift) const {
     for (int axis = 0; axis < 3; axis++) {
-      if (hg::image_step(image, axis) != 0 && !crowd_.index.domain.periodic[axis]) return false;
+      if (shift.n[axis] != 0 && !crowd_.index.domain.periodic[axis]) return false;
     }
     return true;
   }
@@ -208,10 +152,11 @@ class Run {
     const auto dimension = static_cast<size_t>(shape_.dimension);
     const size_t only = rng_.below(dimension);
     const bool along_axis = rng_.chance(0.3);
+    const hg::Shift boxes = any_shift(rng_, crowd_.index.domain, 3);
     for (size_t axis = 0; axis < dimension; axis++) {
       double step = most * rng_.uniform(-1, 1) / std::sqrt(3);
       if (along_axis) step = axis != only ? 0 : (rng_.chance(0.5) ? most : -most);
-      if (shape_.periodic) step += rng_.integer(-3, 3) * Crowd::kEdge;
+      step += crowd_.index.domain.shifted(static_cast<int>(axis), boxes);
       crowd_.particles.centers[i * dimension + axis] = start_.centers[i * dimension + axis] + step;
     }
   }
@@ -251,6 +196,7 @@ class Run {
   Crowd &crowd_;
   hg::StoredCandidates &candidates_;
   hg::PairOrder order_{stored_.memory};
+  hg::ShiftTable near_{stored_.memory};  // by which a particle may come near a sphere
   Particles start_;
   double half_;  // that a particle may surely move
 };
@@ -267,6 +213,8 @@ void check_leaving(uint64_t seed) {
   CrowdShape shape;
   shape.dimension = rng.integer(2, 3);
   shape.periodic = true;
+  if (rng.chance(0.5)) shape.tilt[0] = rng.uniform(-2, 2);
+  if (shape.dimension == 3 && rng.chance(0.5)) shape.tilt[2] = rng.uniform(-2, 2);
   shape.filling = rng.chance(0.5) ? Filling::kEven : Filling::kCorner;
   shape.count = 1 + rng.below(shape.filling == Filling::kEven ? 20 : 150);
   shape.skin = 4;
@@ -274,7 +222,7 @@ void check_leaving(uint64_t seed) {
   const auto dimension = static_cast<size_t>(shape.dimension);
   const size_t who = rng.below(shape.count);
   double *center = &stored.crowd.particles.centers[who * dimension];
-  int boxes[3] = {0, 0, 0}, caller[3] = {0, 0, 0};
+  int boxes[3] = {0, 0, 0};
   for (size_t axis = 0; axis < dimension; axis++) {
     boxes[axis] = rng.integer(-1, 1);
     center[axis] = boxes[axis] == 0 ? 50 : (boxes[axis] > 0 ? Crowd::kEdge - 0.5 : 0.5);
@@ -282,9 +230,9 @@ void check_leaving(uint64_t seed) {
   stored.crowd.move();
   stored.crowd.build(1);
   require(stored.collect(), "nothing was kept");
+  const hg::Shift caller = any_shift(rng, stored.crowd.index.domain, 2);
   for (size_t axis = 0; axis < dimension; axis++) {
-    caller[axis] = rng.integer(-2, 2);
-    center[axis] += boxes[axis] + caller[axis] * Crowd::kEdge;
+    center[axis] += boxes[axis] + stored.crowd.index.domain.shifted(static_cast<int>(axis), caller);
   }
   stored.crowd.move();
   require(stored.candidates.update(stored.crowd.store, false), "motion within the skin is refused");
@@ -292,7 +240,7 @@ void check_leaving(uint64_t seed) {
   while (stored.candidates.slots()[p] != who) p++;
   const hg::Shift found = stored.candidates.boxes(p, stored.crowd.store);
   for (size_t axis = 0; axis < dimension; axis++) {
-    require(found.n[axis] == caller[axis], "axis %zu: %d boxes instead of %d", axis, found.n[axis], caller[axis]);
+    require(found.n[axis] == caller.n[axis], "axis %zu: %d boxes instead of %d", axis, found.n[axis], caller.n[axis]);
   }
 }
 

@@ -18,6 +18,22 @@ using hg::Bounds;
 using hg::Domain;
 using hg::FixedPoint;
 
+// What a map makes of a centre on one axis, where no tilt moves it.
+template <class Found, class Find>
+Found on_axis(int axis, double center, Find &&find) {
+  double x[3] = {0, 0, 0};
+  Found found[3];
+  x[axis] = center;
+  find(x, found);
+  return found[axis];
+}
+double place_of(const FixedPoint &map, int axis, double center) {
+  return on_axis<double>(axis, center, [&](const double *x, double *found) { map.find_place(x, 3, found); });
+}
+int32_t coordinate_of(const FixedPoint &map, int axis, double center) {
+  return on_axis<int32_t>(axis, center, [&](const double *x, int32_t *found) { map.find_coordinates(x, 3, found); });
+}
+
 // Points along each axis, and the map over them.
 struct Scene {
   Domain domain;
@@ -144,20 +160,48 @@ void check_periodic(uint64_t seed) {
   }
   const FixedPoint map = FixedPoint::over(bounds, domain, 0);
   for (int axis = 0; axis < 3; axis++) {
-    const double low = domain.box_min[axis], length = domain.length[axis];
-    const mpq_class exact_length = mpq_class(domain.box_max[axis]) - mpq_class(low);
+    const mpq_class exact_length = mpq_class(domain.box_max[axis]) - mpq_class(domain.box_min[axis]);
     const mpq_class error = exact_length * mpq_class(map.scale) - map.period[axis];
     if (domain.periodic[axis]) {
       require(abs(error) <= mpq_class(1, 2) + mpq_class(1, 1000), "period[%d] is off by %g", axis, error.get_d());
     } else {
       require(map.period[axis] == 0, "period[%d] = %d on an open axis", axis, map.period[axis]);
     }
-    for (int i = 0; i < 20; i++) {
-      const double far = domain.periodic[axis] ? rng.integer(-1000000, 1000000) * (rng.chance(0.5) ? 1 : 1e-6) : 0;
-      const double x = low + ((rng.chance(0.3) ? 0 : rng.uniform()) + std::rint(far)) * length;
-      const int32_t c = coordinate_of(map, axis, x);
-      require(c >= 0 && c < 1 << 30, "coordinate %d of %a", c, x);
-      require_place(map, domain, axis, x, c);
+  }
+  for (int i = 0; i < 20; i++) {
+    double center[3];
+    int32_t coordinate[3];
+    any_center(rng, domain, center);
+    map.find_coordinates(center, 3, coordinate);
+    for (const int32_t c : coordinate) require(c >= 0 && c < 1 << 30, "coordinate %d", c);
+    require_place(map, domain, center, coordinate);
+  }
+}
+
+// In a cell of any edges, in coordinates that wrap, too.
+void check_tilted(uint64_t seed) {
+  Rng rng(seed);
+  const Domain domain = any_cell(rng);
+  Bounds bounds;
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    bounds.min[axis] = domain.periodic[axis] ? 0 : domain.box_min[axis];
+    bounds.max[axis] = domain.periodic[axis] ? domain.length[axis] : domain.box_max[axis];
+  }
+  const FixedPoint map = FixedPoint::over(bounds, domain, 0);
+  const FixedPoint wraps = FixedPoint::wrapping(bounds, domain, domain.length[0] * rng.uniform(), hg::kMaxWraps);
+  require(map.tilted == domain.is_tilted(), "a map is%s tilted", map.tilted ? "" : " not");
+  for (int i = 0; i < 20; i++) {
+    double center[3], place[3];
+    int32_t coordinate[3];
+    any_center(rng, domain, center);
+    map.find_coordinates(center, domain.dimension, coordinate);
+    require_place(map, domain, center, coordinate);
+    wraps.find_place(center, domain.dimension, place);
+    const auto errors = place_errors(wraps, domain, center, place, 1);
+    for (int axis = 0; axis < domain.dimension; axis++) {
+      require(place[axis] == std::rint(place[axis]), "axis %d: %a is at %a", axis, center[axis], place[axis]);
+      require(abs(errors[axis]) <= mpq_class(0.5 + (domain.periodic[axis] ? 0.375 : 0x1p-5)),
+              "axis %d: the place of %a is off by %g quanta", axis, center[axis], errors[axis].get_d());
     }
   }
 }
@@ -166,6 +210,7 @@ void coincident(void **) { assert_true(holds(0, check_coincident)); }
 void widest(void **) { assert_true(holds(0, check_widest)); }
 void monotone(void **) { assert_true(sweep(500, check_monotone)); }
 void periodic(void **) { assert_true(sweep(500, check_periodic)); }
+void tilted(void **) { assert_true(sweep(500, check_tilted)); }
 
 // ---- coordinates that wrap
 
@@ -283,9 +328,9 @@ void boxes_back(void **) { assert_true(holds(0, check_boxes_back)); }
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(ordinary), cmocka_unit_test(extreme),    cmocka_unit_test(coincident),
-      cmocka_unit_test(widest),   cmocka_unit_test(monotone),   cmocka_unit_test(periodic),
-      cmocka_unit_test(wrapping), cmocka_unit_test(boxes_back),
+      cmocka_unit_test(ordinary), cmocka_unit_test(extreme),  cmocka_unit_test(coincident),
+      cmocka_unit_test(widest),   cmocka_unit_test(monotone), cmocka_unit_test(periodic),
+      cmocka_unit_test(tilted),   cmocka_unit_test(wrapping), cmocka_unit_test(boxes_back),
   };
   return cmocka_run_group_tests_name("fixed_point", tests, nullptr, nullptr);
 }
