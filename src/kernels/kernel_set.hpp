@@ -145,8 +145,8 @@ struct ImageInput {
   const int32_t *x[3];  // of the points; x[2] is not read in 2D
   bool periodic[3];
   int32_t period[3];  // may be 0 where the box is finer than the search
-  float reach;          // how far outside the box an image may lie
-  ImageSet wanted;      // other images are not looked for
+  float reach;        // how far outside the box an image may lie
+  ImageSet wanted;    // other images are not looked for
 };
 
 struct PointImage {

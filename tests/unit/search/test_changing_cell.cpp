@@ -127,7 +127,7 @@ class Run {
   // Cells that are others altogether.
   void check_another() {
     const auto kept = [&](const Domain &cell) { return stored_.candidates.keep_in(cell); };
-    Domain flipped = cell_, longer = cell_, moved = cell_;
+    Domain flipped = collected_, longer = cell_, moved = cell_;
     flipped.tilt[0] += flipped.length[0];
     set_box(longer, 1, 0, 2 * Crowd::kEdge);
     set_box(moved, 0, 1.5 * Crowd::kEdge, 1.5 * Crowd::kEdge + cell_.length[0]);
