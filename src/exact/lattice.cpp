@@ -100,6 +100,8 @@ class Basis {
   int count_ = 0;
 };
 
+constexpr double kMostEdges = 1073741824.0;  // 2^30
+
 double length_of(const Domain &domain, const Shift &shift) {
   return std::hypot(domain.shifted(0, shift), domain.shifted(1, shift), domain.shifted(2, shift));
 }
@@ -109,7 +111,8 @@ void add(ShortVectors &found, const Domain &domain, const Shift &shift) {
   found.shortest = std::min(found.shortest, length_of(domain, shift));
 }
 
-// The sums of the vectors of a reduced basis, each taken -1, 0 or 1 times: a shortest one is among them.
+// The sums of the vectors of a reduced basis, each taken -1, 0 or 1 times: a shortest one is among them. Those of more
+// edges than a Shift holds are longer than any reach for which shifts may be listed (may_list).
 void add_sums(ShortVectors &found, const Domain &domain, const Basis &basis) {
   for (Image image = kImages / 2 + 1; image < kImages; image++) {
     Vector sum;
@@ -119,7 +122,7 @@ void add_sums(ShortVectors &found, const Domain &domain, const Basis &basis) {
       exists = exists && (times == 0 || k < basis.count());
       if (k < basis.count()) sum.add(times, basis[k]);
     }
-    if (!exists) continue;
+    if (!exists || std::any_of(sum.n, sum.n + 3, [](double n) { return std::fabs(n) > kMostEdges; })) continue;
     add(found, domain,
         {{static_cast<int32_t>(sum.n[0]), static_cast<int32_t>(sum.n[1]), static_cast<int32_t>(sum.n[2])}});
   }

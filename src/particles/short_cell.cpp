@@ -12,7 +12,7 @@ namespace hg {
 bool ShortCell::is_long_for(double radius) const {
   if (!domain_.any_periodic) return true;
   const double reach = interaction_.diameter(radius);
-  return 2 * reach * (1 + 0x1p-20) <= short_.shortest && most_shifts(domain_, reach) <= kMostShifts;
+  return 2 * reach * (1 + 0x1p-20) <= short_.shortest && may_list(domain_, reach);
 }
 
 // Through two images a pair is met at distances whose difference is a vector of the lattice, so not if that is at least
@@ -20,7 +20,7 @@ bool ShortCell::is_long_for(double radius) const {
 void ShortCell::check(const TwoLargest &largest, const int32_t (&ids)[2]) const {
   if (largest.count == 0 || (largest.count == 1 && !domain_.all_images)) return;
   const double reach = interaction_.diameter(largest.radius[0]);
-  if (!(most_shifts(domain_, reach) <= kMostShifts)) {
+  if (!may_list(domain_, reach)) {
     fail(HG_ERR_LIMIT, "particle %d with radius %g reaches across too many periodic cells", static_cast<int>(ids[0]),
          largest.radius[0]);
   }

@@ -13,6 +13,8 @@ namespace {
 // What reaches and lengths may be rounded by, and more.
 constexpr double kScale = 1 + 0x1p-16, kSlack = 0x1p-20;
 
+constexpr double kMostShifts = 4194304;  // 2^22
+
 int32_t lowest_bits(double whole) { return static_cast<int32_t>(static_cast<uint32_t>(static_cast<int64_t>(whole))); }
 
 bool fits_one_step(const Domain &domain, double reach) {
@@ -94,6 +96,21 @@ double most_shifts(const Domain &domain, double reach) {
     if (domain.periodic[axis]) most *= 2 * (2 + reach / domain.length[axis]) + 1;
   }
   return most;
+}
+
+// The most edges that a shift has of one axis: large tilts of two axes multiply.
+bool may_list(const Domain &domain, double reach) {
+  double edges[3] = {0, 0, 0}, most = 0;
+  for (int axis = domain.dimension - 1; axis >= 0; axis--) {
+    if (!domain.periodic[axis]) continue;
+    edges[axis] = 1 + 0x1p-10 + reach / domain.length[axis];
+    for (int higher = axis + 1; higher < domain.dimension; higher++) {
+      edges[axis] += edges[higher] * std::fabs(domain.tilt[kTiltOf[higher][axis]] / domain.length[axis]);
+    }
+    edges[axis] = std::floor(edges[axis]);
+    most = std::max(most, edges[axis]);
+  }
+  return most <= kMaxTiltedWraps && most_shifts(domain, reach) <= kMostShifts;
 }
 
 }  // namespace hg

@@ -46,8 +46,9 @@ class ShiftTable {
   bool steps_by_one_ = false;
 };
 
-// How many shifts a table would have at most, for a reach; more than kMostShifts are not to be listed.
-inline constexpr double kMostShifts = 4194304;  // 2^22
+// How many shifts a table would have at most, for a reach.
 double most_shifts(const Domain &domain, double reach);
+// False if they are too many, or if so many edges cancel in one that its rounding would tell.
+bool may_list(const Domain &domain, double reach);
 
 }  // namespace hg

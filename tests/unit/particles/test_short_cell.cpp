@@ -133,6 +133,22 @@ void check_messages(uint64_t) {
   ShortCell(domain, {}).check(largest_of({100}), ids);
 }
 
+// Vectors of more edges than can be counted belong to reaches that are refused.
+void check_large_tilts(uint64_t) {
+  Domain domain = open_space(3);
+  for (int axis = 0; axis < 3; axis++) set_box(domain, axis, 0, axis == 2 ? 1 : 10);
+  set_tilt(domain, 1, 0, 4e6);
+  set_tilt(domain, 2, 1, 4e6);
+  const int32_t ids[2] = {17, 4};
+  for (const double radius : {0.2, 0.3}) {
+    require_refused("large tilts", HG_ERR_LIMIT, "too many periodic cells", [&] {
+      ShortCell(domain, {}).check(largest_of({radius, radius}), ids);
+    });
+    require(!ShortCell(domain, {}).is_long_for(radius), "large tilts need no look");
+  }
+}
+
+void large_tilts(void **) { assert_true(holds(0, check_large_tilts)); }
 void long_cells(void **) { assert_true(holds(0, check_long)); }
 void messages(void **) { assert_true(holds(0, check_messages)); }
 
@@ -140,6 +156,6 @@ void messages(void **) { assert_true(holds(0, check_messages)); }
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(two_largest), cmocka_unit_test(limits), cmocka_unit_test(long_cells),
-                              cmocka_unit_test(messages)};
+                              cmocka_unit_test(messages), cmocka_unit_test(large_tilts)};
   return cmocka_run_group_tests_name("short_cell", tests, nullptr, nullptr);
 }

@@ -118,6 +118,7 @@ void check_table(uint64_t seed) {
     return;
   }
   require_near(domain, table, reach * 1.001 + 4100 / map.scale);
+  require(hg::may_list(domain, reach), "a table that may not be listed");
   require(table.count() <= hg::most_shifts(domain, reach), "%u shifts instead of %g", table.count(),
           hg::most_shifts(domain, reach));
 }
@@ -211,10 +212,30 @@ void check_visit(uint64_t seed) {
 
 void between_boxes(void **) { assert_true(sweep(1000, check_visit)); }
 
+// Too many shifts, or shifts of so many edges that roundings tell.
+void check_limits(uint64_t) {
+  Domain domain = open_space(3);
+  for (int axis = 0; axis < 3; axis++) set_box(domain, axis, 0, axis == 2 ? 1 : 10);
+  require(hg::may_list(domain, 50) && !hg::may_list(domain, 5000), "the number of shifts");
+  set_box(domain, 0, 0, 10, false);
+  set_box(domain, 1, 0, 10, false);
+  require(hg::may_list(domain, 0x1p19 - 2) && !hg::may_list(domain, 0x1p19), "the edges of one shift");
+  set_box(domain, 0, 0, 10);
+  set_box(domain, 1, 0, 10);
+  set_tilt(domain, 1, 0, 4e6);
+  set_tilt(domain, 2, 1, 4);
+  require(hg::may_list(domain, 0.9), "a large tilt");
+  set_tilt(domain, 2, 1, 10);
+  require(!hg::may_list(domain, 0.5), "two tilts whose product is large");
+  require(hg::may_list(open_space(3), 1e300), "an open space");
+}
+
+void limits(void **) { assert_true(holds(0, check_limits)); }
+
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(tables), cmocka_unit_test(steps), cmocka_unit_test(another_cell),
-                              cmocka_unit_test(between_boxes)};
+                              cmocka_unit_test(between_boxes), cmocka_unit_test(limits)};
   return cmocka_run_group_tests_name("shift_table", tests, nullptr, nullptr);
 }
