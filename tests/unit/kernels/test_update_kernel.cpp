@@ -27,7 +27,7 @@ class AnyMotion {
     points_.extra = rng_.chance(0.5) ? 0 : quantum * std::pow(2, rng_.uniform(0, 28));
     points_.extra_wide = points_.extra + quantum * std::pow(2, rng_.uniform(0, 28));
     for (size_t p = 0; p < count; p++) {
-      int32_t x[3];
+      int32_t x[3] = {0, 0, 0};
       space_.any_center(rng_, points_.center(p));
       space_.map.find_coordinates(points_.center(p), space_.domain.dimension, x);
       for (size_t axis = 0; axis < points_.dimension; axis++) points_.x[axis][p] = x[axis];
