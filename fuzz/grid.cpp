@@ -209,7 +209,7 @@ class Session {
     hg_grid_def def = def_;
     const auto give = [&] { hgrid::check(hg_set_box(grid_.get(), def.box_min, def.box_max, def.tilt)); };
     if (def.periodic[0] + def.periodic[1] + (def.dimension == 3 ? def.periodic[2] : 0) == 0) {
-      expect(hgtest::status_of(give) == HG_ERR_STATE, "a grid of open axes takes a box");
+      expect(hgtest::status_of(give) == HG_OK, "a grid of open axes looks at a box");
       return;
     }
     if (bytes_.below(3) == 0) {
