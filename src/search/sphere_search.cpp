@@ -28,6 +28,25 @@ void check_sphere(const Domain &domain, const Ball &sphere) {
   }
 }
 
+// How far from a sphere images must be looked for, on one axis: as far as it reaches, but of any particle the nearest
+// image is enough. In a box of right angles that is within half a length on each axis, in a tilted one within half the
+// diagonal.
+double farthest_image(const Domain &domain, int axis, double reach) {
+  if (!domain.periodic[axis]) return reach;
+  const double diagonal = std::hypot(domain.period(0), domain.period(1), domain.period(2));
+  const double nearest = 0.5 * (domain.is_tilted() ? diagonal : domain.length[axis]) * (1 + 0x1p-20);
+  return std::min(reach, nearest);
+}
+
+// In a very thin cell.
+void check_reach(const Domain &domain, double reach) {
+  if (!domain.is_tilted() ||
+      may_list(domain, std::min(reach, domain.length[0] + domain.length[1] + domain.length[2]))) {
+    return;
+  }
+  fail(HG_ERR_LIMIT, "a reach of %g goes across too many periodic cells", reach);
+}
+
 class SphereSearch {
  public:
   SphereSearch(const BuiltGrid &grid, const Ball &sphere, Buffer<int32_t> &ids)
@@ -53,23 +72,18 @@ class SphereSearch {
   void search_level(int h) {
     const Domain &domain = index_.domain;
     const double reach = index_.interaction.reach(sphere_.radius, index_.levels[h].largest_radius);
-    const double enough = std::min(reach * (1 + 0x1p-40), farthest_image());
+    // Stored candidates may have left their places by the skin.
+    const double skin = index_.interaction.margin - grid_.overlap.interaction().margin;
+    check_reach(domain, reach);
     PlaceBox from, to;
     for (int axis = 0; axis < domain.dimension; axis++) {
-      const double around = enough + place_slack(domain, axis);
+      const double around = farthest_image(domain, axis, reach * (1 + 0x1p-40)) + skin + place_slack(domain, axis);
       from.low[axis] = from.high[axis] = place_[axis];
       to.low[axis] = -around;
       to.high[axis] = index_.map.extent[axis] / index_.map.scale + around;
     }
     visit_shifts(domain, from, to,
                  [&](const Shift &shift) { search(h, search_box(domain, place_, shift, reach), shift); });
-  }
-
-  // No particle is farther from its nearest image than half the diagonal of the box. Stored candidates may have left
-  // their places by the skin.
-  double farthest_image() const {
-    const double diagonal = std::hypot(index_.domain.period(0), index_.domain.period(1), index_.domain.period(2));
-    return 0.5 * diagonal * (1 + 0x1p-20) + (index_.interaction.margin - grid_.overlap.interaction().margin);
   }
 
   void search(int h, const PlaceBox &box, const Shift &shift) {
