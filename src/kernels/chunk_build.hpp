@@ -88,7 +88,7 @@ class ChunkBlock {
   // Of 0 <= x < 2^51.
   static uint64_t floor_bits(double x) {
     const double whole = to_whole(x);
-    return whole_bits(whole - (whole > x ? 1.0 : 0.0));
+    return whole_bits(whole) - (whole > x ? 1 : 0);  // of integers, as a branch would be taken every other time
   }
 
   const ChunkInput &input_;
