@@ -16,8 +16,11 @@ constexpr int32_t relative_word(uint32_t exist) {
 }
 constexpr int32_t kRelativeWord[8] = {relative_word(0), relative_word(1), relative_word(2), relative_word(3),
                                       relative_word(4), relative_word(5), relative_word(6), relative_word(7)};
+// Where none exists the cell is anything, so this must not overflow.
 int32_t first_cell_word(int32_t cell, uint32_t exist) {
-  return cell * (ChunkWord::kFlags / kChunkCells) + kRelativeWord[exist];
+  constexpr uint32_t kFlagsPerCell = ChunkWord::kFlags / kChunkCells;
+  return static_cast<int32_t>(static_cast<uint32_t>(cell) * kFlagsPerCell +
+                              static_cast<uint32_t>(kRelativeWord[exist]));
 }
 
 // Links are found by places where these are not many more than chunks.
