@@ -66,6 +66,13 @@ struct Shift {
   int32_t n[3] = {0, 0, 0};
   bool is_none() const { return n[0] == 0 && n[1] == 0 && n[2] == 0; }
 };
+// The last edge that is taken at all is taken forward.
+inline bool is_forward(const Shift &shift) {
+  for (int axis = 2; axis >= 0; axis--) {
+    if (shift.n[axis] != 0) return shift.n[axis] > 0;
+  }
+  return false;
+}
 inline Shift operator+(const Shift &s, const Shift &t) { return {{s.n[0] + t.n[0], s.n[1] + t.n[1], s.n[2] + t.n[2]}}; }
 inline Shift operator-(const Shift &s, const Shift &t) { return {{s.n[0] - t.n[0], s.n[1] - t.n[1], s.n[2] - t.n[2]}}; }
 

@@ -21,6 +21,8 @@ class ParticleStore {
   // Throws and changes nothing if a value is bad.
   void insert(size_t count, const double *centers, const double *radii);
   void move(size_t count, const double *centers, const double *radii);
+  // Exactly these, with ids that start anew.
+  void set(size_t count, const double *centers, const double *radii);
   void remove(size_t count, const int32_t *ids);
   void clear();
   // Throws and changes nothing if the particles do not suit the cell.
@@ -38,6 +40,8 @@ class ParticleStore {
   const InputSummary &summary() const { return summary_; }
   Ball ball(size_t slot) const { return {center(slot), radius(slot)}; }
 
+  // True if ids are those that set() would give.
+  bool is_as_set() const { return contiguous_ && removed_ == 0; }
   // While ids have no gaps, id = slot + id_offset(); else id_offset() is 0 and id() has to be asked.
   bool contiguous() const { return contiguous_; }
   int32_t id_offset() const { return contiguous_ ? index_base_ : 0; }
@@ -48,6 +52,7 @@ class ParticleStore {
  private:
   int32_t id_of(size_t slot) const;
   void check_cell(const ShortCell &cell, const double *radii, size_t count, double greatest) const;
+  void check_ids(int64_t first, size_t count) const;
 
   InputCheck check_;
   ShortCell cell_;

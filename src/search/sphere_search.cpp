@@ -13,19 +13,39 @@
 namespace hg {
 namespace {
 
-void check_sphere(const Domain &domain, const Ball &sphere) {
+// `of`: which of several, in texts.
+void check_sphere(const Domain &domain, const Ball &sphere, const char *of = "") {
   for (int axis = 0; axis < domain.dimension; axis++) {
     const double x = sphere.center[axis];
-    if (!std::isfinite(x)) fail(HG_ERR_ARGUMENT, "center[%d] = %g is not finite", axis, x);
+    if (!std::isfinite(x)) fail(HG_ERR_ARGUMENT, "center%s[%d] = %g is not finite", of, axis, x);
   }
   const Domain::Outside outside = domain.outside(sphere.center);
   if (!(outside.boxes <= domain.most_outside())) {
-    fail(HG_ERR_ARGUMENT, "center[%d] = %g: more than 2^%d box lengths outside the periodic box", outside.axis,
+    fail(HG_ERR_ARGUMENT, "center%s[%d] = %g: more than 2^%d box lengths outside the periodic box", of, outside.axis,
          sphere.center[outside.axis], std::ilogb(domain.most_outside()));
   }
   if (!std::isfinite(sphere.radius) || is_negative(sphere.radius)) {
-    fail(HG_ERR_ARGUMENT, "radius = %g is not finite and >= 0", sphere.radius);
+    fail(HG_ERR_ARGUMENT, "radius%s = %g is not finite and >= 0", of, sphere.radius);
   }
+}
+
+// How far from a sphere images must be looked for, on one axis: as far as it reaches, but of any particle the nearest
+// image is enough. In a box of right angles that is within half a length on each axis, in a tilted one within half the
+// diagonal.
+double farthest_image(const Domain &domain, int axis, double reach) {
+  if (!domain.periodic[axis]) return reach;
+  const double diagonal = std::hypot(domain.period(0), domain.period(1), domain.period(2));
+  const double nearest = 0.5 * (domain.is_tilted() ? diagonal : domain.length[axis]) * (1 + 0x1p-20);
+  return std::min(reach, nearest);
+}
+
+// In a very thin cell.
+void check_reach(const Domain &domain, double reach) {
+  if (!domain.is_tilted() ||
+      may_list(domain, std::min(reach, domain.length[0] + domain.length[1] + domain.length[2]))) {
+    return;
+  }
+  fail(HG_ERR_LIMIT, "a reach of %g goes across too many periodic cells", reach);
 }
 
 class SphereSearch {
@@ -53,23 +73,18 @@ class SphereSearch {
   void search_level(int h) {
     const Domain &domain = index_.domain;
     const double reach = index_.interaction.reach(sphere_.radius, index_.levels[h].largest_radius);
-    const double enough = std::min(reach * (1 + 0x1p-40), farthest_image());
+    // Stored candidates may have left their places by the skin.
+    const double skin = index_.interaction.margin - grid_.overlap.interaction().margin;
+    check_reach(domain, reach);
     PlaceBox from, to;
     for (int axis = 0; axis < domain.dimension; axis++) {
-      const double around = enough + place_slack(domain, axis);
+      const double around = farthest_image(domain, axis, reach * (1 + 0x1p-40)) + skin + place_slack(domain, axis);
       from.low[axis] = from.high[axis] = place_[axis];
       to.low[axis] = -around;
       to.high[axis] = index_.map.extent[axis] / index_.map.scale + around;
     }
     visit_shifts(domain, from, to,
                  [&](const Shift &shift) { search(h, search_box(domain, place_, shift, reach), shift); });
-  }
-
-  // No particle is farther from its nearest image than half the diagonal of the box. Stored candidates may have left
-  // their places by the skin.
-  double farthest_image() const {
-    const double diagonal = std::hypot(index_.domain.period(0), index_.domain.period(1), index_.domain.period(2));
-    return 0.5 * diagonal * (1 + 0x1p-20) + (index_.interaction.margin - grid_.overlap.interaction().margin);
   }
 
   void search(int h, const PlaceBox &box, const Shift &shift) {
@@ -145,6 +160,27 @@ class SphereSearch {
 };
 
 }  // namespace
+
+bool overlaps(const Domain &domain, const Overlap &overlap, const Ball &a, const Ball &b) {
+  check_sphere(domain, a, "_a");
+  check_sphere(domain, b, "_b");
+  double place_a[3], place_b[3];
+  const Shift boxes = domain.take_in(b.center, place_b) - domain.take_in(a.center, place_a);
+  const double reach = overlap.interaction().reach(a.radius, b.radius) * (1 + 0x1p-40);
+  check_reach(domain, reach);
+  PlaceBox from, to;
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    const double around = farthest_image(domain, axis, reach) + place_slack(domain, axis);
+    from.low[axis] = from.high[axis] = place_a[axis];
+    to.low[axis] = place_b[axis] - around;
+    to.high[axis] = place_b[axis] + around;
+  }
+  bool found = false;
+  int64_t exact = 0;
+  visit_shifts(domain, from, to,
+               [&](const Shift &shift) { found = found || overlap.holds(a, b, shift + boxes, exact); });
+  return found;
+}
 
 size_t query_sphere(const BuiltGrid &grid, const Ball &sphere, Buffer<int32_t> &ids) {
   check_sphere(grid.index.domain, sphere);

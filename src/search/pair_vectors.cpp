@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "src/search/pair_vectors.hpp"
+
+#include "src/base/parallel.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace hg {
+
+void PairVectors::find(const PairGeometry &geometry, const ParticleStore &store, const hg_pair *pairs, size_t count,
+                       int dimension, int threads) {
+  vectors_.require_room(array_bytes(count, static_cast<size_t>(dimension)));
+  shifts_.require_room(array_bytes(count, static_cast<size_t>(dimension)));
+  if (geometry.many_images()) {
+    find_many(geometry, store, pairs, count, dimension);
+  } else {
+    const size_t parts = parts_of(count);
+    parallel_for(count < kWorthThreads ? 1 : threads, parts, [&](size_t part, int) {
+      for (size_t p = count * part / parts; p < count * (part + 1) / parts; p++) {
+        const size_t a = store.find(pairs[p].a), b = store.find(pairs[p].b);
+        set(geometry, p, a, b, geometry.shift(a, b), dimension);
+      }
+    });
+  }
+  found_ = true;
+}
+
+// Equal pairs, which may stand anywhere, take turns with their shifts.
+void PairVectors::find_many(const PairGeometry &geometry, const ParticleStore &store, const hg_pair *pairs,
+                            size_t count, int dimension) {
+  std::vector<size_t> order(count);
+  std::iota(order.begin(), order.end(), size_t{0});
+  const auto key = [&](size_t p) { return std::pair(pairs[p].a, pairs[p].b); };
+  std::stable_sort(order.begin(), order.end(), [&](size_t p, size_t q) { return key(p) < key(q); });
+  std::vector<Shift> shifts;
+  for (size_t first = 0, end = 0; first < count; first = end) {
+    while (end < count && key(order[end]) == key(order[first])) end++;
+    const size_t a = store.find(pairs[order[first]].a), b = store.find(pairs[order[first]].b);
+    geometry.list_shifts(a, b, shifts);
+    for (size_t k = first; k < end; k++) set(geometry, order[k], a, b, shifts[k - first], dimension);
+  }
+}
+
+void PairVectors::set(const PairGeometry &geometry, size_t pair, size_t a, size_t b, const Shift &shift,
+                      int dimension) {
+  const size_t at = pair * static_cast<size_t>(dimension);
+  geometry.vector(a, b, shift, vectors_.data() + at);
+  std::copy_n(shift.n, dimension, shifts_.data() + at);
+}
+
+}  // namespace hg
