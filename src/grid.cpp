@@ -7,7 +7,6 @@
 #include "src/pairs/pair_visit.hpp"
 #include "src/search/contact_visit.hpp"
 #include "src/search/skin.hpp"
-#include "src/search/spatial_order.hpp"
 
 #include <cstring>
 
@@ -89,6 +88,25 @@ void Grid::set(size_t count, const double *centers, const double *radii) {
   candidates_.drop();
 }
 
+// A count that cannot be is refused before so much is copied.
+void Grid::insert_arrays(size_t count, const hg_array *centers, const hg_array *radius) {
+  store_.check_insert(count);
+  given_.gather(count, dimension(), centers, radius);
+  insert(count, given_.centers(), given_.radii());
+}
+
+void Grid::move_arrays(size_t count, const hg_array *centers, const hg_array *radius) {
+  store_.check_move(count);
+  given_.gather(count, dimension(), centers, radius);
+  move(count, given_.centers(), radius != nullptr ? given_.radii() : nullptr);
+}
+
+void Grid::set_arrays(size_t count, const hg_array *centers, const hg_array *radius) {
+  store_.check_set(count);
+  given_.gather(count, dimension(), centers, radius);
+  set(count, given_.centers(), given_.radii());
+}
+
 void Grid::remove(size_t count, const int32_t *ids) {
   store_.remove(count, ids);
   changed(true);
@@ -124,6 +142,7 @@ void Grid::changed(bool radii) {
   grown_ = grown_ || radii;
   pairs_found_ = false;
   vectors_.forget();
+  spatial_order_.forget();
   rows_made_[HG_HALF] = rows_made_[HG_FULL] = false;
 }
 
@@ -285,9 +304,9 @@ void Grid::visit_contacts(hg_contact_visitor *visit, void *context) {
 void Grid::query_order(const int32_t **ids, size_t *count) {
   const BuiltGrid grid = built();
   const std::lock_guard lock(mutex_);
-  order_along_space(grid, spatial_order_);
+  if (!spatial_order_.found()) spatial_order_.find(grid);
   *count = store_.slots();
-  *ids = *count == 0 ? nullptr : spatial_order_.data();
+  *ids = *count == 0 ? nullptr : spatial_order_.ids();
 }
 
 void Grid::visit_pairs(hg_pair_visitor *visit, void *context) {

@@ -18,6 +18,7 @@
 #include "src/search/pair_geometry.hpp"
 #include "src/search/pair_search.hpp"
 #include "src/search/pair_vectors.hpp"
+#include "src/search/spatial_order.hpp"
 #include "src/search/sphere_search.hpp"
 
 #include <hgrid/types.h>
@@ -35,11 +36,10 @@ class Grid {
   void set(size_t count, const double *centers, const double *radii);
   void remove(size_t count, const int32_t *ids);
   void clear();
-  // Rows of particles from arrays of any stride and type, for one of the calls above.
-  const GivenArrays &gathered(size_t count, const hg_array *centers, const hg_array *radius) {
-    given_.gather(count, dimension(), centers, radius);
-    return given_;
-  }
+  // The same, of particles in arrays of any stride and type.
+  void insert_arrays(size_t count, const hg_array *centers, const hg_array *radius);
+  void move_arrays(size_t count, const hg_array *centers, const hg_array *radius);
+  void set_arrays(size_t count, const hg_array *centers, const hg_array *radius);
   void set_box(const double *box_min, const double *box_max, const double *tilt);
 
   // The calls below build the index if it is out of date. They may run in parallel with each other.
@@ -108,7 +108,7 @@ class Grid {
   bool pairs_found_ = false;
   PairOrder order_;
   PairVectors vectors_;
-  Buffer<int32_t> spatial_order_;
+  SpatialOrder spatial_order_;
   NeighborRows rows_[2];  // HG_HALF, HG_FULL
   bool rows_made_[2] = {false, false};
   Buffer<hg_pair> by_slot_;

@@ -84,24 +84,19 @@ hg_status hg_set(hg_grid *grid, size_t count, const double *centers, const doubl
 hg_status hg_set_arrays(hg_grid *grid, size_t count, const hg_array *centers, const hg_array *radius) {
   return on_grid(grid, {}, [&](Grid &g) {
     if (count > 0) check_pointer(radius, "radius");
-    const hg::GivenArrays &given = g.gathered(count, centers, radius);
-    g.set(count, given.centers(), given.radii());
+    g.set_arrays(count, centers, radius);
   });
 }
 
 hg_status hg_insert_arrays(hg_grid *grid, size_t count, const hg_array *centers, const hg_array *radius) {
   return on_grid(grid, {}, [&](Grid &g) {
     if (count > 0) check_pointer(radius, "radius");
-    const hg::GivenArrays &given = g.gathered(count, centers, radius);
-    g.insert(count, given.centers(), given.radii());
+    g.insert_arrays(count, centers, radius);
   });
 }
 
 hg_status hg_move_arrays(hg_grid *grid, size_t count, const hg_array *centers, const hg_array *radius) {
-  return on_grid(grid, {}, [&](Grid &g) {
-    const hg::GivenArrays &given = g.gathered(count, centers, radius);
-    g.move(count, given.centers(), radius != nullptr ? given.radii() : nullptr);
-  });
+  return on_grid(grid, {}, [&](Grid &g) { g.move_arrays(count, centers, radius); });
 }
 
 hg_status hg_remove(hg_grid *grid, size_t count, const int32_t *ids) {

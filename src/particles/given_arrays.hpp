@@ -22,8 +22,9 @@ class GivenArrays {
   void gather(size_t count, size_t dimension, const hg_array *centers, const hg_array *radius) {
     if (count == 0) return;
     if (centers == nullptr) fail(HG_ERR_NULL, "centers is NULL");
-    for (size_t axis = 0; axis < dimension; axis++) check(centers[axis], "centers", axis);
-    if (radius != nullptr) check(*radius, "radius", 0);
+    constexpr const char *kNames[3] = {"centers[0]", "centers[1]", "centers[2]"};
+    for (size_t axis = 0; axis < dimension; axis++) check(centers[axis], kNames[axis]);
+    if (radius != nullptr) check(*radius, "radius");
     centers_.require_room(array_bytes(count, dimension));
     for (size_t axis = 0; axis < dimension; axis++) copy(centers[axis], count, centers_.data() + axis, dimension);
     if (radius == nullptr) return;
@@ -35,14 +36,13 @@ class GivenArrays {
   const double *radii() const { return radii_.data(); }
 
  private:
-  static void check(const hg_array &array, const char *name, size_t axis) {
-    if (array.data == nullptr) fail(HG_ERR_NULL, "%s[%zu].data is NULL", name, axis);
+  static void check(const hg_array &array, const char *name) {
+    if (array.data == nullptr) fail(HG_ERR_NULL, "%s.data is NULL", name);
     if (array.type != HG_REAL64 && array.type != HG_REAL32) {
-      fail(HG_ERR_ARGUMENT, "%s[%zu].type = %d is neither HG_REAL64 nor HG_REAL32", name, axis,
-           static_cast<int>(array.type));
+      fail(HG_ERR_ARGUMENT, "%s.type = %d is neither HG_REAL64 nor HG_REAL32", name, static_cast<int>(array.type));
     }
     if (array.reserved != 0) {
-      fail(HG_ERR_ARGUMENT, "%s[%zu].reserved = %d is not 0", name, axis, static_cast<int>(array.reserved));
+      fail(HG_ERR_ARGUMENT, "%s.reserved = %d is not 0", name, static_cast<int>(array.reserved));
     }
   }
 

@@ -35,7 +35,7 @@ void ParticleStore::check_ids(int64_t first, size_t count) const {
 
 void ParticleStore::insert(size_t count, const double *centers, const double *radii) {
   if (count == 0) return;
-  check_ids(next_id_, count);
+  check_insert(count);
   centers_.grow((slots_ + count) * dimension_);
   radii_.grow(slots_ + count);
   if (!contiguous_) ids_.grow(slots_ + count);
@@ -55,10 +55,14 @@ void ParticleStore::insert(size_t count, const double *centers, const double *ra
   next_id_ += static_cast<int64_t>(count);
 }
 
-void ParticleStore::move(size_t count, const double *centers, const double *radii) {
+void ParticleStore::check_move(size_t count) const {
   if (count != live_count()) {
     fail(HG_ERR_ARGUMENT, "count is %zu but the grid holds %zu particles", count, live_count());
   }
+}
+
+void ParticleStore::move(size_t count, const double *centers, const double *radii) {
+  check_move(count);
   if (count == 0) return;
   compact();
   InputSummary found = check_.check({count, centers, radii, nullptr, nullptr});
@@ -70,7 +74,7 @@ void ParticleStore::move(size_t count, const double *centers, const double *radi
 }
 
 void ParticleStore::set(size_t count, const double *centers, const double *radii) {
-  check_ids(index_base_, count);
+  check_set(count);
   InputSummary found{};
   if (count > 0) {
     found = check_.check({count, centers, radii, nullptr, nullptr});

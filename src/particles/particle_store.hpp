@@ -18,6 +18,10 @@ class ParticleStore {
  public:
   ParticleStore(Memory &memory, const InputCheck &check, const ShortCell &cell, int dimension, int32_t index_base);
 
+  // Throw if the next call cannot take so many particles.
+  void check_insert(size_t count) const { check_ids(next_id_, count); }
+  void check_move(size_t count) const;
+  void check_set(size_t count) const { check_ids(index_base_, count); }
   // Throws and changes nothing if a value is bad.
   void insert(size_t count, const double *centers, const double *radii);
   void move(size_t count, const double *centers, const double *radii);

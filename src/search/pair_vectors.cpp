@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace hg {
@@ -31,16 +32,17 @@ void PairVectors::find(const PairGeometry &geometry, const ParticleStore &store,
 // Equal pairs, which may stand anywhere, take turns with their shifts.
 void PairVectors::find_many(const PairGeometry &geometry, const ParticleStore &store, const hg_pair *pairs,
                             size_t count, int dimension) {
-  std::vector<size_t> order(count);
-  std::iota(order.begin(), order.end(), size_t{0});
+  order_.require_room(count);
+  std::iota(order_.data(), order_.data() + count, size_t{0});
   const auto key = [&](size_t p) { return std::pair(pairs[p].a, pairs[p].b); };
-  std::stable_sort(order.begin(), order.end(), [&](size_t p, size_t q) { return key(p) < key(q); });
+  std::sort(order_.data(), order_.data() + count,
+            [&](size_t p, size_t q) { return std::pair(key(p), p) < std::pair(key(q), q); });
   std::vector<Shift> shifts;
   for (size_t first = 0, end = 0; first < count; first = end) {
-    while (end < count && key(order[end]) == key(order[first])) end++;
-    const size_t a = store.find(pairs[order[first]].a), b = store.find(pairs[order[first]].b);
+    while (end < count && key(order_[end]) == key(order_[first])) end++;
+    const size_t a = store.find(pairs[order_[first]].a), b = store.find(pairs[order_[first]].b);
     geometry.list_shifts(a, b, shifts);
-    for (size_t k = first; k < end; k++) set(geometry, order[k], a, b, shifts[k - first], dimension);
+    for (size_t k = first; k < end; k++) set(geometry, order_[k], a, b, shifts[k - first], dimension);
   }
 }
 

@@ -14,7 +14,7 @@ namespace hg {
 
 class PairVectors {
  public:
-  explicit PairVectors(Memory &memory) : vectors_(memory), shifts_(memory) {}
+  explicit PairVectors(Memory &memory) : vectors_(memory), shifts_(memory), order_(memory) {}
 
   // Of pairs of ids. With many images the k-th of equal pairs is that with the k-th shift.
   void find(const PairGeometry &geometry, const ParticleStore &store, const hg_pair *pairs, size_t count, int dimension,
@@ -32,6 +32,7 @@ class PairVectors {
 
   Buffer<double> vectors_;
   Buffer<int32_t> shifts_;
+  Buffer<size_t> order_;
   bool found_ = false;
 };
 

@@ -3,18 +3,17 @@
 #include "src/search/spatial_order.hpp"
 
 #include <algorithm>
-#include <vector>
 
 namespace hg {
 namespace {
-
-// Beyond any place of a map.
-constexpr double kMostQuanta = 0x1p48;
 
 struct PlacedSlot {
   uint64_t place[3];
   uint32_t slot;
 };
+
+// Beyond any place of a map.
+constexpr double kMostQuanta = 0x1p48;
 
 // Is the highest bit of x below that of y? (Chan 2002)
 bool has_lower_bit(uint64_t x, uint64_t y) { return x < y && x < (x ^ y); }
@@ -34,12 +33,14 @@ bool comes_before(const PlacedSlot &p, const PlacedSlot &q) {
 
 }  // namespace
 
-void order_along_space(const BuiltGrid &grid, Buffer<int32_t> &ids) {
+void SpatialOrder::find(const BuiltGrid &grid) {
   const Index &index = grid.index;
   const size_t count = grid.store.slots();
   const auto dimension = static_cast<size_t>(index.domain.dimension);
   const double *centers = index.squeezed.in_use() ? index.squeezed.centers() : grid.store.centers();
-  std::vector<PlacedSlot> placed(count);
+  Buffer<PlacedSlot> placed(memory_);
+  placed.require(count);
+  ids_.require_room(count);
   for (size_t slot = 0; slot < count; slot++) {
     double quanta[3] = {0, 0, 0};
     index.map.find_quanta(centers + slot * dimension, index.domain.dimension, quanta);
@@ -48,9 +49,9 @@ void order_along_space(const BuiltGrid &grid, Buffer<int32_t> &ids) {
     }
     placed[slot].slot = static_cast<uint32_t>(slot);
   }
-  std::sort(placed.begin(), placed.end(), comes_before);
-  ids.require_room(count);
-  for (size_t k = 0; k < count; k++) ids[k] = grid.store.id(placed[k].slot);
+  std::sort(placed.data(), placed.data() + count, comes_before);
+  for (size_t k = 0; k < count; k++) ids_[k] = grid.store.id(placed[k].slot);
+  found_ = true;
 }
 
 }  // namespace hg

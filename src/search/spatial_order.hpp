@@ -7,7 +7,21 @@
 
 namespace hg {
 
-// Writes the ids of all particles of the store, which has no gaps. Along a Morton curve, whatever the extents.
-void order_along_space(const BuiltGrid &grid, Buffer<int32_t> &ids);
+class SpatialOrder {
+ public:
+  explicit SpatialOrder(Memory &memory) : memory_(memory), ids_(memory) {}
+
+  // Of all particles of the store, which has no gaps: along a Morton curve, whatever the extents.
+  void find(const BuiltGrid &grid);
+  void forget() { found_ = false; }
+
+  bool found() const { return found_; }
+  const int32_t *ids() const { return ids_.data(); }
+
+ private:
+  Memory &memory_;
+  Buffer<int32_t> ids_;
+  bool found_ = false;
+};
 
 }  // namespace hg
