@@ -52,6 +52,8 @@ class ParticleStore {
   int32_t id(size_t slot) const { return contiguous_ ? index_base_ + static_cast<int32_t>(slot) : ids_[slot]; }
   // The slot of an id that is stored (removed or not), or slots() if there is none.
   size_t find(int64_t id) const;
+  // The same, of an id that is known to be stored.
+  size_t slot(int32_t id) const { return contiguous_ ? static_cast<size_t>(id - index_base_) : find(id); }
 
  private:
   int32_t id_of(size_t slot) const;

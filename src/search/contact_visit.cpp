@@ -28,9 +28,9 @@ bool ContactVisit::take(const hg_pair *pairs, size_t count) {
     const size_t batch = std::min<size_t>(HG_MAX_BATCH, count - first);
     for (size_t k = 0; k < batch; k++) {
       const hg_pair pair = pairs[first + k];
-      const size_t a = store_.find(pair.a), b = store_.find(pair.b);
+      const size_t a = store_.slot(pair.a), b = store_.slot(pair.b);
       double vector[3];
-      geometry_.vector(a, b, geometry_.shift(a, b), vector);
+      geometry_.find(a, b, vector);
       a_[k] = pair.a;
       b_[k] = pair.b;
       for (size_t axis = 0; axis < dimension_; axis++) component_[axis][k] = vector[axis];
@@ -50,7 +50,7 @@ bool ContactVisit::take(const hg_pair *pairs, const double *vectors, size_t coun
       a_[k] = pair.a;
       b_[k] = pair.b;
       for (size_t axis = 0; axis < dimension_; axis++) component_[axis][k] = vector[axis];
-      reach_[k] = geometry_.reach(store_.find(pair.a), store_.find(pair.b));
+      reach_[k] = geometry_.reach(store_.slot(pair.a), store_.slot(pair.b));
     }
     if (!hand_over(batch)) return false;
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/search/pair_geometry.hpp"
 
+#include "src/exact/round_in_doubles.hpp"
 #include "src/space/search_box.hpp"
 
 #include <algorithm>
@@ -10,41 +11,10 @@
 namespace hg {
 namespace {
 
+// Squares below that of it may be rounded by more than a little.
+constexpr double kLeastRoot = 1e-140;
+
 bool comes_before(const Shift &s, const Shift &t) { return std::lexicographical_compare(s.n, s.n + 3, t.n, t.n + 3); }
-
-// A sum of doubles that keeps what each addition rounds off (Knuth 1969), and what it cannot keep.
-class CarefulSum {
- public:
-  void add(double term) {
-    const double sum = sum_ + term, added = sum - sum_;
-    rest_ += (sum_ - (sum - added)) + (term - added);
-    sum_ = sum;
-    size_ += std::fabs(term);
-  }
-
-  // The rounded sum. False if it is too near to the middle between two doubles to be sure of it.
-  bool round(double &rounded) const {
-    rounded = sum_ + rest_;
-    const double added = rounded - sum_;
-    const double rest = (sum_ - (rounded - added)) + (rest_ - added), error = 0x1p-98 * size_;
-    return rounded + (rest + error) == rounded && rounded + (rest - error) == rounded;
-  }
-
- private:
-  double sum_ = 0, rest_ = 0, size_ = 0;
-};
-
-// Factors have at most 23 bits, so that products with either half of a double (Dekker 1971) are exact.
-bool round_in_doubles(const ExactSum &sum, double &rounded) {
-  CarefulSum total;
-  for (int k = 0; k < sum.count; k++) {
-    const double value = sum.terms[k].value, scaled = value * 0x1.0000002p27;
-    const double high = scaled - (scaled - value), factor = static_cast<double>(sum.terms[k].factor);
-    total.add(high * factor);
-    total.add((value - high) * factor);
-  }
-  return total.round(rounded);
-}
 
 }  // namespace
 
@@ -53,8 +23,10 @@ PairGeometry::PairGeometry(const Domain &domain, const ParticleStore &store, con
     : domain_(domain),
       store_(store),
       overlap_(overlap),
-      sure_(overlap.surely_nearest()),
-      many_images_(domain.all_images && !(largest_reach * (1 + 0x1p-20) < sure_)) {}
+      many_images_(domain.all_images && !(largest_reach * (1 + 0x1p-20) < overlap.surely_nearest())) {
+  const double sure = overlap.surely_nearest();
+  if (sure > kLeastRoot) sure2_ = sure * sure;
+}
 
 // By whole edges, the last first: near, though not always nearest in a tilted cell.
 Shift PairGeometry::nearest(const double *a, const double *b, double &distance2) const {
@@ -87,11 +59,17 @@ void PairGeometry::visit_near(size_t a, size_t b, Visit &&visit) const {
   visit_shifts(domain_, from, to, [&](const Shift &shift) { visit(shift + boxes_a - boxes_b); });
 }
 
-Shift PairGeometry::shift(size_t a, size_t b) const {
+Shift PairGeometry::find_far(size_t a, size_t b, double *components) const {
+  const Shift shift = far_shift(a, b);
+  vector(a, b, shift, components);
+  return shift;
+}
+
+Shift PairGeometry::far_shift(size_t a, size_t b) const {
   if (!domain_.any_periodic) return {};
   double distance2 = 0;
   const Shift near = nearest(store_.center(a), store_.center(b), distance2);
-  if (sure_ > 0 && distance2 < sure_ * sure_) return near;
+  if (distance2 < sure2_) return near;
   Shift found = near;
   int64_t exact = 0;
   visit_near(a, b, [&](const Shift &shift) {

@@ -21,8 +21,9 @@ void PairVectors::find(const PairGeometry &geometry, const ParticleStore &store,
     const size_t parts = parts_of(count);
     parallel_for(count < kWorthThreads ? 1 : threads, parts, [&](size_t part, int) {
       for (size_t p = count * part / parts; p < count * (part + 1) / parts; p++) {
-        const size_t a = store.find(pairs[p].a), b = store.find(pairs[p].b);
-        set(geometry, p, a, b, geometry.shift(a, b), dimension);
+        const size_t at = p * static_cast<size_t>(dimension);
+        const Shift shift = geometry.find(store.slot(pairs[p].a), store.slot(pairs[p].b), vectors_.data() + at);
+        std::copy_n(shift.n, dimension, shifts_.data() + at);
       }
     });
   }
@@ -40,17 +41,14 @@ void PairVectors::find_many(const PairGeometry &geometry, const ParticleStore &s
   std::vector<Shift> shifts;
   for (size_t first = 0, end = 0; first < count; first = end) {
     while (end < count && key(order_[end]) == key(order_[first])) end++;
-    const size_t a = store.find(pairs[order_[first]].a), b = store.find(pairs[order_[first]].b);
+    const size_t a = store.slot(pairs[order_[first]].a), b = store.slot(pairs[order_[first]].b);
     geometry.list_shifts(a, b, shifts);
-    for (size_t k = first; k < end; k++) set(geometry, order_[k], a, b, shifts[k - first], dimension);
+    for (size_t k = first; k < end; k++) {
+      const size_t at = order_[k] * static_cast<size_t>(dimension);
+      geometry.vector(a, b, shifts[k - first], vectors_.data() + at);
+      std::copy_n(shifts[k - first].n, dimension, shifts_.data() + at);
+    }
   }
-}
-
-void PairVectors::set(const PairGeometry &geometry, size_t pair, size_t a, size_t b, const Shift &shift,
-                      int dimension) {
-  const size_t at = pair * static_cast<size_t>(dimension);
-  geometry.vector(a, b, shift, vectors_.data() + at);
-  std::copy_n(shift.n, dimension, shifts_.data() + at);
 }
 
 }  // namespace hg

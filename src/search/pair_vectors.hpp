@@ -26,7 +26,6 @@ class PairVectors {
   const int32_t *shifts() const { return shifts_.data(); }
 
  private:
-  void set(const PairGeometry &geometry, size_t pair, size_t a, size_t b, const Shift &shift, int dimension);
   void find_many(const PairGeometry &geometry, const ParticleStore &store, const hg_pair *pairs, size_t count,
                  int dimension);
 

@@ -107,9 +107,12 @@ TEST(no_memory) { assert_true(refuse_each_allocation_on_chain(copy) > 0); }
 TEST(refused_inside_a_visitor) { assert_refused_in_visitor(copy); }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(room_enough), cmocka_unit_test(too_small),       cmocka_unit_test(in_the_order_of_query_pairs),
-      cmocka_unit_test(no_pairs),    cmocka_unit_test(null_is_refused), cmocka_unit_test(no_memory),
-      cmocka_unit_test(refused_inside_a_visitor)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(room_enough),
+                                     cmocka_unit_test(too_small),
+                                     cmocka_unit_test(in_the_order_of_query_pairs),
+                                     cmocka_unit_test(no_pairs),
+                                     cmocka_unit_test(null_is_refused),
+                                     cmocka_unit_test(no_memory),
+                                     cmocka_unit_test(refused_inside_a_visitor)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -148,7 +148,8 @@ TEST(bytes_at_any_address) {
   hg_grid *grid = make_start(NULL);
   memcpy(bytes + 1, kSwapped, sizeof kSwapped);
   memcpy(radius_bytes + 3, kRadii, sizeof kRadii);
-  assert_ok(hg_set(grid, 4, (const double *)(const void *)(bytes + 1), (const double *)(const void *)(radius_bytes + 3)));
+  assert_ok(
+      hg_set(grid, 4, (const double *)(const void *)(bytes + 1), (const double *)(const void *)(radius_bytes + 3)));
   assert_pairs(grid, kSwappedPairs, 2);
   hg_destroy(grid);
 }
