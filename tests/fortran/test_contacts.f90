@@ -61,7 +61,7 @@ program test_contacts
     use contact_collector, only: collector
     implicit none
 
-    integer, parameter :: n = 400, edge = 2**20
+    integer, parameter :: n = 1500, edge = 2**20
     integer :: dimension
 
     do dimension = 2, 3
