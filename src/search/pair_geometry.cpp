@@ -46,7 +46,7 @@ Shift PairGeometry::nearest(const double *a, const double *b, double &distance2)
 // The shifts of b that may bring it within reach of a.
 template <class Visit>
 void PairGeometry::visit_near(size_t a, size_t b, Visit &&visit) const {
-  double place_a[3], place_b[3];
+  double place_a[3] = {0, 0, 0}, place_b[3] = {0, 0, 0};
   const Shift boxes_a = domain_.take_in(store_.center(a), place_a),
               boxes_b = domain_.take_in(store_.center(b), place_b);
   PlaceBox from, to;

@@ -164,7 +164,7 @@ class SphereSearch {
 bool overlaps(const Domain &domain, const Overlap &overlap, const Ball &a, const Ball &b) {
   check_sphere(domain, a, "_a");
   check_sphere(domain, b, "_b");
-  double place_a[3], place_b[3];
+  double place_a[3] = {0, 0, 0}, place_b[3] = {0, 0, 0};
   const Shift boxes = domain.take_in(b.center, place_b) - domain.take_in(a.center, place_a);
   const double reach = overlap.interaction().reach(a.radius, b.radius) * (1 + 0x1p-40);
   check_reach(domain, reach);
