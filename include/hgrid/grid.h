@@ -60,8 +60,8 @@ HG_API hg_status hg_clear(hg_grid *grid);
 HG_API hg_status hg_set(hg_grid *grid, size_t count, const double *centers, const double *radii);
 
 /* hg_set, hg_insert and hg_move of numbers that lie elsewhere than in two arrays of doubles. centers: [dimension], one
- * array for each axis; radius: one. The numbers are copied before anything is checked: errors name them as rows of
- * centers[row][axis] and radii[row]. Errors besides: HG_ERR_ARGUMENT: a type or a reserved that is none. */
+ * array for each axis; radius: one. Errors name bad numbers as centers[row][axis] and radii[row]. Errors besides:
+ * HG_ERR_ARGUMENT: a type or a reserved that is none. */
 HG_API hg_status hg_set_arrays(hg_grid *grid, size_t count, const hg_array *centers, const hg_array *radius);
 HG_API hg_status hg_insert_arrays(hg_grid *grid, size_t count, const hg_array *centers, const hg_array *radius);
 HG_API hg_status hg_move_arrays(hg_grid *grid, size_t count, const hg_array *centers,
@@ -97,7 +97,8 @@ HG_API hg_status hg_query_pair_vectors(hg_grid *grid, const double **vectors, co
 HG_API hg_status hg_copy_pairs(hg_grid *grid, size_t capacity, int32_t *a, int32_t *b, size_t *count);
 
 /* Hands all pairs with their geometry to `visit`, in batches of at most HG_MAX_BATCH, in the order of def.pair_order,
- * from stored candidates while a skin lets them hold: what a loop over forces wants. The rest as hg_visit_pairs. */
+ * from stored candidates while a skin lets them hold: what a loop over forces wants. The rest as hg_visit_pairs; but
+ * with HG_ALL_IMAGES, in a cell where two particles can meet twice, the lists of hg_query_pair_vectors are made first. */
 HG_API hg_status hg_visit_contacts(hg_grid *grid, hg_contact_visitor *visit, void *context);
 
 /* Hands all pairs to `visit` in batches. With HG_ORDER_GRID and no skin nothing is stored: memory stays bounded
@@ -121,13 +122,13 @@ HG_API hg_status hg_query_sphere(hg_grid *grid, const double *center, double rad
                                  size_t *count);
 
 /* Whether two spheres interact that the grid need not hold, by its own rule as in hg_query_sphere: *overlaps is 1 or 0.
- * Errors: HG_ERR_NULL, HG_ERR_ARGUMENT. */
+ * Errors: HG_ERR_NULL, HG_ERR_ARGUMENT; HG_ERR_LIMIT if they reach across too many tilted cells. */
 HG_API hg_status hg_overlap(hg_grid *grid, const double *center_a, double radius_a, const double *center_b,
                             double radius_b, int32_t *overlaps);
 
 /* The ids of all particles in an order in which near ones stand together (a Morton curve). A host that sorts its arrays
- * by it now and then runs faster, and so does the grid. Borrowed until the next call on this grid.
- * Complexity: O(N log N). */
+ * by it now and then runs faster, and so does the grid. Complexity: O(N log N), nothing if the grid has not changed
+ * since. */
 HG_API hg_status hg_query_order(hg_grid *grid, const int32_t **ids, size_t *count);
 
 /* The levels of the grid, finest first (the grid is built if it must be). Levels may be empty with HG_LEVELS_USER. */
