@@ -98,8 +98,9 @@ typedef struct hg_grid_def {
   double box_max[3];    /* box_max > box_min only states the volume that the choice of levels assumes (0) */
   double cell_overhead; /* K of Eq. 7: cost of visiting a cell over cost of testing a particle, >= 0 and finite;
                            negative = 0.3 for PAPER; AUTO: takes the two prices below instead (-1) */
-  /* AUTO: what work costs, in units of testing one candidate; finite, negative = fitted on several machines' kernels;
-     `hgrid calibrate` measures them. They change the levels and with them the time, never the pairs. */
+  /* AUTO: what work costs, in units of testing one candidate; finite, negative = fitted on several machines, by the
+     number of particles; `hgrid calibrate` measures them. They change the levels and with them the time, never the
+     pairs. */
   double level_price; /* one more level, per particle (-1) */
   double row_price;   /* looking at a row of a finer level (-1) */
   /* Periodic cells need not be right-angled: their edges are a = (lx, 0, 0), b = (xy, ly, 0) and c = (xz, yz, lz) with
