@@ -98,7 +98,8 @@ HG_API hg_status hg_copy_pairs(hg_grid *grid, size_t capacity, int32_t *a, int32
 
 /* Hands all pairs with their geometry to `visit`, in batches of at most HG_MAX_BATCH, in the order of def.pair_order,
  * from stored candidates while a skin lets them hold: what a loop over forces wants. The rest as hg_visit_pairs; but
- * with HG_ALL_IMAGES, in a cell where two particles can meet twice, the lists of hg_query_pair_vectors are made first. */
+ * with HG_ALL_IMAGES, in a cell where two particles can meet twice, the lists of hg_query_pair_vectors are made first.
+ */
 HG_API hg_status hg_visit_contacts(hg_grid *grid, hg_contact_visitor *visit, void *context);
 
 /* Hands all pairs to `visit` in batches. With HG_ORDER_GRID and no skin nothing is stored: memory stays bounded
