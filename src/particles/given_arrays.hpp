@@ -22,8 +22,9 @@ class GivenArrays {
   void gather(size_t count, size_t dimension, const hg_array *centers, const hg_array *radius) {
     if (count == 0) return;
     if (centers == nullptr) fail(HG_ERR_NULL, "centers is NULL");
-    constexpr const char *kNames[3] = {"centers[0]", "centers[1]", "centers[2]"};
-    for (size_t axis = 0; axis < dimension; axis++) check(centers[axis], kNames[axis]);
+    check(centers[0], "centers[0]");
+    check(centers[1], "centers[1]");
+    if (dimension == 3) check(centers[2], "centers[2]");
     if (radius != nullptr) check(*radius, "radius");
     centers_.require_room(array_bytes(count, dimension));
     for (size_t axis = 0; axis < dimension; axis++) copy(centers[axis], count, centers_.data() + axis, dimension);
