@@ -256,9 +256,9 @@ void scenes_take_tables_of_sizes(void **) {
   assert_true(largest > 2.9 && largest < 3);
   assert_true(cut_and_scaled > 29.8 && cut_and_scaled < 30);
   assert_string_equal(unasked.c_str(), ":2: particles.pack.sizes: is for table, not for the law fuller");
-  assert_string_equal(falling.c_str(), (":2: particles.pack.sizes: " + path.string() +
-                                        ":4: '20' in column 'passing' is below 30 before it")
-                                           .c_str());
+  assert_string_equal(
+      falling.c_str(),
+      (":2: particles.pack.sizes: " + path.string() + ":4: '20' in column 'passing' is below 30 before it").c_str());
   assert_true(is_refused(packed("law = \"table\""), ":2: particles.pack: the law table needs a file of sizes"));
   assert_true(is_refused(packed(keys), ":2: particles.pack.sizes: ", "cannot open"));
 }
