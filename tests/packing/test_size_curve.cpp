@@ -86,7 +86,8 @@ bool log_normal_mass() {
 // The integral of f over ln r by Simpson's rule.
 double integral(double from, double to, const std::function<long double(long double)> &f) {
   constexpr int kSteps = 400;
-  const long double low = std::log(static_cast<long double>(from)), step = (std::log((long double)to) - low) / kSteps;
+  const long double low = std::log(static_cast<long double>(from)),
+                    step = (std::log(static_cast<long double>(to)) - low) / kSteps;
   long double sum = 0;
   for (int k = 0; k <= kSteps; k++)
     sum += f(std::exp(low + step * k)) * (k == 0 || k == kSteps ? 1 : k % 2 == 1 ? 4 : 2);

@@ -235,8 +235,7 @@ void add_law_options(CLI::App &command, PackOptions &options) {
   }
   command.add_option("--sizes", options.sizes, packing::kSizesMeaning);
   command
-      .add_option("--radius", options.radius,
-                  "Of the smallest size (1; table: as in it; log-normal: of the median)")
+      .add_option("--radius", options.radius, "Of the smallest size (1; table: as in it; log-normal: of the median)")
       ->check(CLI::PositiveNumber);
 }
 
