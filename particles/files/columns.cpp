@@ -24,7 +24,49 @@ size_t skip_blanks(std::string_view line, size_t first) {
   return first;
 }
 
+char separator_of(std::string_view header) {
+  for (const char letter : {',', ';', '\t'})
+    if (header.find(letter) != std::string_view::npos) return letter;
+  return kBlanks;
+}
+
+std::string_view without_quotes(std::string_view name) {
+  if (name.size() >= 2 && name.front() == '"' && name.back() == '"') return name.substr(1, name.size() - 2);
+  return name;
+}
+
 }  // namespace
+
+std::vector<std::string_view> fields_of(std::string_view line, char separator) {
+  if (separator == kBlanks) return split_words(line);
+  std::vector<std::string_view> fields;
+  for (size_t first = 0; first <= line.size();) {
+    const size_t last = field_end(line, first, separator);
+    fields.push_back(trimmed(line.substr(first, last - first)));
+    first = last + 1;
+  }
+  return fields;
+}
+
+Columns columns_named(const LineCursor &cursor, std::string_view header, const char *example) {
+  Columns columns;
+  columns.separator = separator_of(header);
+  for (const std::string_view name : fields_of(header, columns.separator))
+    columns.names.push_back(lower_case(without_quotes(name)));
+  double value = 0;
+  if (number_fault(columns.names.front(), value) == nullptr)
+    cursor.fail(std::string("the first line must name the columns (such as ") + example + "), but it holds " +
+                in_quotes(header));
+  return columns;
+}
+
+double number_in(const LineCursor &cursor, const Columns &columns, std::string_view field, int column) {
+  double value = 0;
+  const std::string_view text = columns.separator == kBlanks ? field : trimmed(field);
+  if (const char *fault = number_fault(text, value))
+    cursor.fail(in_quotes(text) + " in column " + in_quotes(columns.names[static_cast<size_t>(column)]) + " " + fault);
+  return value;
+}
 
 int find_column(const LineCursor &cursor, const Columns &columns, std::string_view name) {
   int found = -1;
@@ -80,15 +122,6 @@ size_t RowReader::split(std::string_view line, std::string_view (&fields)[kSlots
   return count;
 }
 
-double RowReader::number(std::string_view field, int column) const {
-  double value = 0;
-  const std::string_view text = columns_.separator == kBlanks ? field : trimmed(field);
-  if (const char *fault = number_fault(text, value))
-    cursor_.fail(in_quotes(text) + " in column " + in_quotes(columns_.names[static_cast<size_t>(column)]) + " " +
-                 fault);
-  return value;
-}
-
 // Scaled coordinates count edges of the box, of which those of later axes may lean over.
 double RowReader::place(const double (&values)[3], int axis) const {
   if (!columns_.scaled[axis]) return values[axis];
@@ -104,7 +137,7 @@ double RowReader::place(const double (&values)[3], int axis) const {
 void RowReader::append_center(const std::string_view (&fields)[kSlots]) {
   double values[3] = {0, 0, 0};
   for (int axis = 0; axis < 3; axis++)
-    if (columns_.axis[axis] >= 0) values[axis] = number(fields[axis], columns_.axis[axis]);
+    if (columns_.axis[axis] >= 0) values[axis] = number_in(cursor_, columns_, fields[axis], columns_.axis[axis]);
   for (int axis = 0; axis < particles_.dimension; axis++) particles_.centers.push_back(place(values, axis));
   if (particles_.dimension == 3 || columns_.axis[2] < 0) return;
   const double z = place(values, kZ);
@@ -120,7 +153,7 @@ void RowReader::append(std::string_view line) {
   if (count != slot_of_column_.size())
     cursor_.fail(std::to_string(count) + " values in " + in_quotes(line) + " where there should be " +
                  std::to_string(slot_of_column_.size()));
-  const double size = number(fields[kSize], columns_.size);
+  const double size = number_in(cursor_, columns_, fields[kSize], columns_.size);
   if (size < 0)
     cursor_.fail(in_quotes(trimmed(fields[kSize])) + " in column " +
                  in_quotes(columns_.names[static_cast<size_t>(columns_.size)]) + " is negative");

@@ -27,6 +27,16 @@ struct Columns {
   size_t most_rows(size_t bytes) const { return bytes / (2 * names.size()) + 1; }
 };
 
+// The fields between separators.
+std::vector<std::string_view> fields_of(std::string_view line, char separator);
+
+// Names and separator as in the line that names the columns: quotes taken off, in lower case. Fails where that holds a
+// number first, saying what it may look like.
+Columns columns_named(const LineCursor &cursor, std::string_view header, const char *example);
+
+// Reads the number in a field of a column. Fails naming both if it is none.
+double number_in(const LineCursor &cursor, const Columns &columns, std::string_view field, int column);
+
 // Finds the radius ("r", "radius") or diameter ("d", "diameter") among lower-case names. Fails at the cursor's line if
 // there is none or more than one.
 void find_size_column(const LineCursor &cursor, Columns &columns);
@@ -50,7 +60,6 @@ class RowReader {
   enum Slot { kX, kY, kZ, kSize, kSlots, kUnused };
 
   size_t split(std::string_view line, std::string_view (&fields)[kSlots]) const;
-  double number(std::string_view field, int column) const;
   double place(const double (&values)[3], int axis) const;
   void append_center(const std::string_view (&fields)[kSlots]);
 

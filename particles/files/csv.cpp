@@ -8,7 +8,6 @@
 #include "particles/text/number.hpp"
 #include "particles/text/output.hpp"
 
-#include <algorithm>
 #include <optional>
 
 namespace particles {
@@ -18,38 +17,8 @@ namespace {
 // tilted "tilt" and xy, xz, yz.
 constexpr char kBoxComment[] = "# box:";
 
-char separator_of(std::string_view header) {
-  for (const char letter : {',', ';', '\t'})
-    if (header.find(letter) != std::string_view::npos) return letter;
-  return kBlanks;
-}
-
-std::string_view without_quotes(std::string_view name) {
-  if (name.size() >= 2 && name.front() == '"' && name.back() == '"') return name.substr(1, name.size() - 2);
-  return name;
-}
-
-std::vector<std::string> column_names(std::string_view header, char separator) {
-  std::vector<std::string> names;
-  if (separator == kBlanks) {
-    for (const std::string_view word : split_words(header)) names.push_back(lower_case(without_quotes(word)));
-    return names;
-  }
-  for (size_t first = 0; first <= header.size();) {
-    const size_t last = std::min(header.find(separator, first), header.size());
-    names.push_back(lower_case(without_quotes(trimmed(header.substr(first, last - first)))));
-    first = last + 1;
-  }
-  return names;
-}
-
 Columns columns_of(const LineCursor &cursor, std::string_view header) {
-  Columns columns;
-  columns.separator = separator_of(header);
-  columns.names = column_names(header, columns.separator);
-  double value = 0;
-  if (number_fault(columns.names.front(), value) == nullptr)
-    cursor.fail("the first line must name the columns (such as x,y,z,radius), but it holds " + in_quotes(header));
+  Columns columns = columns_named(cursor, header, "x,y,z,radius");
   for (int axis = 0; axis < 3; axis++)
     columns.axis[axis] = find_column(cursor, columns, std::string_view("xyz").substr(static_cast<size_t>(axis), 1));
   find_size_column(cursor, columns);
