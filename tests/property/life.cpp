@@ -12,7 +12,18 @@ namespace {
 
 constexpr size_t kMostPairwise = 2000;  // beyond, pairs are swept for along x where that axis is open
 
-// Whether a particle is so many cells away, or is taken there on the way, that the grid may refuse it.
+// A part of the skin, so that stored candidates last for some steps, or of a particle.
+double longest_step(const Scene &scene) {
+  const double mean = mean_radius(scene.particles);
+  return 0.1 * (scene.def.skin > 0 ? std::min(scene.def.skin, mean) : mean);
+}
+
+// What a deformation does with the box.
+enum class Change { kBreathe, kStretch, kShear, kRamp, kFlip, kShift, kOther };
+constexpr int kChangeCount = static_cast<int>(Change::kOther) + 1;
+
+}  // namespace
+
 bool has_far_particles(const hg_grid_def &def, const Particles &particles) {
   for (size_t i = 0; i < particles.count(); i++) {
     const double *x = particles.center(i);
@@ -29,25 +40,9 @@ bool has_far_particles(const hg_grid_def &def, const Particles &particles) {
   return false;
 }
 
-// A part of the skin, so that stored candidates last for some steps, or of a particle.
-double longest_step(const Scene &scene) {
-  const double mean = mean_radius(scene.particles);
-  return 0.1 * (scene.def.skin > 0 ? std::min(scene.def.skin, mean) : mean);
-}
-
-// What a deformation does with the box.
-enum class Change { kBreathe, kStretch, kShear, kRamp, kFlip, kShift, kOther };
-constexpr int kChangeCount = static_cast<int>(Change::kOther) + 1;
-
-}  // namespace
-
 double mean_radius(const Particles &particles) {
   const double sum = std::accumulate(particles.radii.begin(), particles.radii.end(), 0.0);
   return particles.count() == 0 ? 0 : sum / static_cast<double>(particles.count());
-}
-
-void set_box(const Grid &grid, const hg_grid_def &def) {
-  hgrid::check(hg_set_box(grid.get(), def.box_min, def.box_max, def.tilt));
 }
 
 Life::Life(uint64_t seed, Scene scene, double box_changes)

@@ -9,8 +9,8 @@
 
 namespace hgtest {
 
-// Gives the grid the box of the definition.
-void set_box(const Grid &grid, const hg_grid_def &def);
+// Whether a particle is so many cells away, or is taken there on the way, that the grid may refuse it.
+bool has_far_particles(const hg_grid_def &def, const Particles &particles);
 
 double mean_radius(const Particles &particles);
 

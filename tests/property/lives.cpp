@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace {
 
@@ -15,9 +16,10 @@ using namespace hgtest;
 
 // Most particles into clumps: the groups keep how densely they are packed, in a part of the space and of the size that
 // they had. The others stay, as giants among dust.
-void gather(Rng &rng, Particles &particles) {
+void gather(Rng &rng, Scene &scene) {
+  Particles particles = scene.particles;
   const auto dimension = static_cast<size_t>(particles.dimension);
-  const double keep = rng.uniform(0, 0.3), size = std::pow(10, rng.uniform(-4, 0));
+  const double keep = rng.uniform(0, 0.3), size = std::pow(10, rng.uniform(-6, 0));
   const size_t groups = 1 + rng.below(3);
   for (size_t i = groups; i < particles.count(); i++) {
     if (rng.chance(keep)) continue;
@@ -29,6 +31,7 @@ void gather(Rng &rng, Particles &particles) {
       x = to + size * (x - to);
     }
   }
+  if (!has_far_particles(scene.def, particles)) scene.particles = particles;
 }
 
 // Enough particles for several threads. They fill space evenly and x is open: the oracle sweeps along it.
@@ -42,8 +45,11 @@ Scene draw_large(Rng &rng) {
 }
 
 Scene draw(Rng &rng, bool large) {
-  Scene scene = large ? draw_large(rng) : any_scene(rng, rng.below(rng.chance(0.9) ? 100 : 400));
-  if (!large && rng.chance(0.3)) gather(rng, scene.particles);
+  Scene scene;
+  do {
+    scene = large ? draw_large(rng) : any_scene(rng, rng.below(rng.chance(0.9) ? 100 : 400));
+  } while (has_far_particles(scene.def, scene.particles));
+  if (!large && rng.chance(0.3)) gather(rng, scene);
   hg_grid_def &def = scene.def;
   def.accuracy = rng.chance(0.3) ? HG_DOUBLE : HG_EXACT;
   def.pair_order = rng.integer(HG_ORDER_GRID, HG_ORDER_ID);
@@ -59,15 +65,19 @@ struct Sum {
 };
 
 void live(uint64_t number, Sum &sum) {
-  Rng rng(number);
-  const bool large = number % 500 == 499;
-  Life life(rng.next(), draw(rng, large), rng.chance(0.5) ? 0 : rng.uniform());
-  const bool right = holds(number, [&](uint64_t) { life.run(large ? 3 : 20); });
+  const bool right = holds(number, [&](uint64_t) {
+    Rng rng(number);
+    const bool large = number % 500 == 499;
+    Scene scene = draw(rng, large);
+    const double box_changes = rng.chance(0.5) ? 0 : rng.uniform();
+    Life life(rng.next(), std::move(scene), box_changes);
+    life.run(large ? 3 : 20);
+    sum.compared += life.compared();
+    sum.searched += life.stats().search_count;
+    sum.filtered += life.stats().filter_count;
+  });
   sum.lives++;
-  sum.compared += life.compared();
   sum.wrong += right ? 0 : 1;
-  sum.searched += life.stats().search_count;
-  sum.filtered += life.stats().filter_count;
 }
 
 }  // namespace
