@@ -59,10 +59,11 @@ Life::Life(uint64_t seed, Scene scene, double box_changes)
 }
 
 void Life::run(int steps) {
+  const double calm = rng_.uniform();  // candidates of a skin last while particles only move
   compare();
   for (int step = 0; step < steps; step++) {
     if (rng_.chance(box_changes_)) change_box();
-    switch (rng_.below(10)) {
+    switch (rng_.chance(calm) ? 9 : rng_.below(10)) {
       case 0:
       case 1:
         insert();
@@ -160,8 +161,9 @@ void Life::clear() {
 hg_grid_def Life::changed_box() {
   hg_grid_def def = scene_.def;
   const auto change = static_cast<Change>(rng_.below(kChangeCount));
-  // So small that places at the far face move by a part of the skin, or not.
-  const double share = rng_.chance(0.8) ? 2 * step_ / std::max({length(0), length(1), length(2)}) : 0.1;
+  // Mostly so small that places at the far face move by a part of the skin: by up to ten steps.
+  const double longest = std::max({length(0), length(1), length(2)});
+  const double share = rng_.chance(0.8) ? rng_.uniform(0, 10) * step_ / longest : 0.1;
   for (int k = 0; k < def.dimension; k++) {
     if (def.periodic[k] == 0) continue;
     if (change == Change::kBreathe) def.box_max[k] += share * length(k);
