@@ -190,6 +190,9 @@ hg_grid_def Life::changed_box() {
 
 void Life::change_box() {
   const hg_grid_def def = changed_box();
+  for (int k = 0; k < def.dimension; k++) {
+    if (def.periodic[k] != 0 && !(def.box_min[k] < def.box_max[k])) return;  // shorter than what it was to lose
+  }
   if (take("set_box", def, live_, [&] { set_box(grid_, def); })) scene_.def = def;
 }
 
