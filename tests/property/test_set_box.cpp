@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lives of a grid whose box changes: barostats, shear, flips, boxes from elsewhere, particles that move, come and go,
 // with and without a skin, against the oracle after each step. Boxes and particles that do not fit change nothing.
-#include "tests/support/compare.hpp"
-#include "tests/support/scenes.hpp"
+#include "tests/property/life.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,191 +13,26 @@ namespace {
 
 using namespace hgtest;
 
-void set_box(const Grid &grid, const hg_grid_def &def) {
-  hgrid::check(hg_set_box(grid.get(), def.box_min, def.box_max, def.tilt));
+Life live(uint64_t seed, double skin_share) {
+  Rng rng(seed);
+  const int dimension = rng.integer(2, 3), axes = rng.integer(1, (1 << dimension) - 1);
+  const auto sizes = static_cast<Sizes>(rng.below(kSizesCount));
+  const size_t count = 1 + rng.below(100);
+  const uint64_t kind = rng.below(4);
+  Scene scene = kind == 0   ? periodic_scene(rng, dimension, axes, count, sizes)
+                : kind == 1 ? many_images_scene(rng, dimension, axes, 1 + count / 3, sizes)
+                            : tilted_scene(rng, dimension, draw_tilted_axes(rng, dimension), count, sizes);
+  draw_levels(rng, scene);
+  scene.def.accuracy = rng.chance(0.3) ? HG_DOUBLE : HG_EXACT;
+  scene.def.pair_order = rng.integer(HG_ORDER_GRID, HG_ORDER_ID);
+  scene.def.skin = skin_share * mean_radius(scene.particles);
+  Life life(rng.next(), std::move(scene), 0.7);
+  life.run(15);
+  return life;
 }
-
-// Whether a particle is so many cells away, or is taken there on the way, that the grid may refuse it.
-bool has_far_particles(const hg_grid_def &def, const Particles &particles) {
-  for (size_t i = 0; i < particles.count(); i++) {
-    const double *x = particles.center(i);
-    double cells[3] = {0, 0, 0};
-    for (int k = def.dimension - 1; k >= 0; k--) {
-      if (def.periodic[k] == 0) continue;
-      const double tilted = k == 0   ? std::fabs(cells[1] * def.tilt[0]) + std::fabs(cells[2] * def.tilt[1])
-                            : k == 1 ? std::fabs(cells[2] * def.tilt[2])
-                                     : 0;
-      cells[k] = (std::fabs(x[k] - def.box_min[k]) + tilted) / (def.box_max[k] - def.box_min[k]) + 1;
-      if (cells[k] > 0x1p18) return true;
-    }
-  }
-  return false;
-}
-
-// What a deformation does with the box.
-enum class Change { kBreathe, kStretch, kShear, kRamp, kFlip, kShift, kOther };
-constexpr int kChangeCount = static_cast<int>(Change::kOther) + 1;
-
-class Life {
- public:
-  Life(uint64_t seed, double skin_share) : rng_(seed), scene_(draw(rng_)) {
-    double mean = 0;
-    for (const double r : scene_.particles.radii) mean += r / static_cast<double>(scene_.particles.count());
-    scene_.def.skin = skin_share * mean;
-    small_ = skin_share > 0 ? std::min(scene_.def.skin, mean) : 0.1 * mean;
-    live_ = scene_.particles;
-    for (size_t i = 0; i < live_.count(); i++) ids_.push_back(scene_.def.index_base + static_cast<int32_t>(i));
-    next_id_ = scene_.def.index_base + static_cast<int32_t>(live_.count());
-    grid_ = make_grid(scene_.def, live_);
-  }
-
-  void run(int steps) {
-    compare();
-    for (int step = 0; step < steps; step++) {
-      const int action = rng_.integer(0, 9);
-      if (action < 5) change_box();
-      if (action >= 3 && action < 8) move();
-      if (action == 8) insert();
-      if (action == 9) remove();
-      if (rng_.chance(0.8)) compare();
-    }
-    compare();
-  }
-
-  hg_grid_stats stats() const { return grid_.get_stats(); }
-
- private:
-  static Scene draw(Rng &rng) {
-    const int dimension = rng.integer(2, 3), axes = rng.integer(1, (1 << dimension) - 1);
-    const auto sizes = static_cast<Sizes>(rng.below(kSizesCount));
-    const size_t count = 1 + rng.below(100);
-    const uint64_t kind = rng.below(4);
-    Scene scene = kind == 0   ? periodic_scene(rng, dimension, axes, count, sizes)
-                  : kind == 1 ? many_images_scene(rng, dimension, axes, 1 + count / 3, sizes)
-                              : tilted_scene(rng, dimension, draw_tilted_axes(rng, dimension), count, sizes);
-    draw_levels(rng, scene);
-    scene.def.accuracy = rng.chance(0.3) ? HG_DOUBLE : HG_EXACT;
-    scene.def.pair_order = rng.integer(HG_ORDER_GRID, HG_ORDER_ID);
-    return scene;
-  }
-
-  double length(int axis) const { return scene_.def.box_max[axis] - scene_.def.box_min[axis]; }
-
-  void change_box() {
-    hg_grid_def def = scene_.def;
-    const auto change = static_cast<Change>(rng_.below(kChangeCount));
-    // So small that places at the far face move by a part of the skin, or not.
-    const double share = rng_.chance(0.8) ? 0.2 * small_ / std::max({length(0), length(1), length(2)}) : 0.1;
-    for (int k = 0; k < def.dimension; k++) {
-      if (def.periodic[k] == 0) continue;
-      if (change == Change::kBreathe) def.box_max[k] += share * length(k);
-      if (change == Change::kStretch) def.box_max[k] += rng_.uniform(-share, share) * length(k);
-      if (change == Change::kShift) {
-        const double shift = rng_.uniform(-1, 1) * length(k);
-        def.box_min[k] += shift;
-        def.box_max[k] += shift;
-      }
-      const double least = length(k) > largest_reach(def, live_) ? -0.3 : 0;  // images grow with its cube
-      if (change == Change::kOther) def.box_max[k] += rng_.uniform(least, 0.5) * length(k);
-    }
-    constexpr int kAxes[3][2] = {{0, 1}, {0, 2}, {1, 2}};
-    for (int k = 0; k < (def.dimension == 2 ? 1 : 3); k++) {
-      if (def.periodic[kAxes[k][0]] + def.periodic[kAxes[k][1]] != 2) continue;
-      const double along = length(kAxes[k][0]);
-      if (change == Change::kShear) def.tilt[k] += rng_.uniform(-share, share) * along;
-      if (change == Change::kRamp) def.tilt[k] += share * along;
-      if (change == Change::kFlip) def.tilt[k] -= std::nearbyint(def.tilt[k] / along) * along;
-      if (change == Change::kOther) def.tilt[k] = rng_.uniform(-1, 1) * along;
-    }
-    if (has_far_particles(def, live_)) return;
-    const bool fits = def.images == HG_ALL_IMAGES || !can_meet_twice(def, live_);
-    const hg_status status = status_of([&] { set_box(grid_, def); });
-    require(status == (fits ? HG_OK : HG_ERR_ARGUMENT),
-            scene_.name + ": the box is taken with " + std::to_string(status) + ", " + hg_last_error());
-    if (fits) scene_.def = def;
-  }
-
-  void move() {
-    const bool far = rng_.chance(0.1), radii = rng_.chance(0.2);
-    const auto dimension = static_cast<size_t>(live_.dimension);
-    const double step = 0.1 * small_;
-    for (size_t i = 0; i < live_.count(); i++) {
-      double *x = &live_.centers[i * dimension];
-      for (size_t k = 0; k < dimension; k++) x[k] += rng_.uniform(-step, step);
-      if (far && rng_.chance(0.2)) {
-        const double n[3] = {1.0 * rng_.integer(-2, 2), 1.0 * rng_.integer(-2, 2), 1.0 * rng_.integer(-2, 2)};
-        move_by_cells(scene_.def, n, x);
-      }
-      if (radii) live_.radii[i] *= rng_.uniform(0.9, 1);
-    }
-    grid_.move(live_.count(), live_.centers.data(), radii ? live_.radii.data() : nullptr);
-  }
-
-  // What was there at first fits no box that has shrunk since: it may be refused.
-  void insert() {
-    const Particles &pool = scene_.particles;
-    Particles grown = live_, batch;
-    batch.dimension = live_.dimension;
-    for (int k = rng_.integer(1, 10); k > 0; k--) {
-      const size_t row = rng_.below(pool.count());
-      batch.add(pool.center(row), pool.radii[row]);
-      grown.add(pool.center(row), pool.radii[row]);
-    }
-    if (has_far_particles(scene_.def, batch)) return;
-    const bool fits = scene_.def.images == HG_ALL_IMAGES || !can_meet_twice(scene_.def, grown);
-    const hg_status status = status_of([&] { grid_.insert(batch.count(), batch.centers.data(), batch.radii.data()); });
-    require(status == (fits ? HG_OK : HG_ERR_ARGUMENT),
-            scene_.name + ": particles are taken with " + std::to_string(status) + ", " + hg_last_error());
-    if (!fits) return;
-    live_ = grown;
-    while (ids_.size() < live_.count()) ids_.push_back(next_id_++);
-  }
-
-  void remove() {
-    if (live_.count() < 2) return;
-    const size_t row = rng_.below(live_.count());
-    grid_.remove(1, &ids_[row]);
-    const auto dimension = static_cast<ptrdiff_t>(live_.dimension), at = static_cast<ptrdiff_t>(row);
-    ids_.erase(ids_.begin() + at);
-    live_.radii.erase(live_.radii.begin() + at);
-    live_.centers.erase(live_.centers.begin() + at * dimension, live_.centers.begin() + (at + 1) * dimension);
-  }
-
-  void compare() {
-    const auto rule = scene_.def.accuracy == HG_DOUBLE ? double_interact : exact_interact;
-    const Pairs expected = all_pairs(scene_.def, live_, ids_, rule);
-    const Pairs found = pairs_of(grid_);
-    require_same(scene_.name.c_str(), scene_.def.pair_order == HG_ORDER_ID ? found : sorted(found), expected);
-    if (rng_.chance(0.3)) {
-      Pairs visited;
-      grid_.visit_pairs([&](hgrid::View<hg_pair> batch) { visited.insert(visited.end(), batch.begin(), batch.end()); });
-      require_same((scene_.name + ", visited").c_str(), sorted(visited), expected);
-    }
-    if (rng_.chance(0.3)) compare_sphere(rule);
-  }
-
-  void compare_sphere(oracle::Rule *rule) {
-    const double *center = live_.center(rng_.below(live_.count()));
-    const double radius = live_.radii[rng_.below(live_.count())];
-    const hgrid::View<int32_t> rows = grid_.query_sphere(center, radius);
-    std::vector<int32_t> expected;
-    for (const int32_t id : all_in_sphere(scene_.def, live_, {center, radius}, rule)) {
-      expected.push_back(ids_[static_cast<size_t>(id - scene_.def.index_base)]);
-    }
-    require_same((scene_.name + ", sphere").c_str(), std::vector<int32_t>(rows.begin(), rows.end()), expected);
-  }
-
-  Rng rng_;
-  Scene scene_;
-  Particles live_;
-  std::vector<int32_t> ids_;
-  int32_t next_id_ = 0;
-  double small_ = 0;
-  Grid grid_;
-};
 
 void lives_without_a_skin(void **) {
-  assert_true(sweep(300, [](uint64_t seed) { Life(seed, 0).run(15); }));
+  assert_true(sweep(300, [](uint64_t seed) { live(seed, 0); }));
 }
 
 int64_t filtered = 0, searched = 0;
@@ -206,8 +40,7 @@ int64_t filtered = 0, searched = 0;
 void lives_with_a_skin(void **) {
   assert_true(sweep(500, [](uint64_t seed) {
     constexpr double kShares[] = {1e-6, 0.02, 0.3, 1, 10, 1e6};
-    Life life(1000 + seed, kShares[seed % 6]);
-    life.run(15);
+    const Life life = live(1000 + seed, kShares[seed % 6]);
     filtered += life.stats().filter_count;
     searched += life.stats().search_count;
   }));

@@ -108,7 +108,9 @@ void check(const System &system) {
 
 void check(const Life &life) {
   std::vector<Pairs> expected;
-  for (const Particles &step : life.steps) expected.push_back(all_pairs(life.def, step, exact_interact));
+  for (size_t k = 0; k < life.steps.size(); k++) {
+    expected.push_back(all_pairs(life.boxes.empty() ? life.def : life.boxes[k], life.steps[k], exact_interact));
+  }
   for (size_t k = 0; k < life.pairs.size(); k++) {
     require(expected[k].size() == life.pairs[k], life.name + ": step " + std::to_string(k) + " has " +
                                                      std::to_string(expected[k].size()) + " pairs in truth, but " +
@@ -118,6 +120,7 @@ void check(const Life &life) {
     Grid grid = make_grid(def, life.steps[0]);
     for (size_t k = 0; k < life.steps.size(); k++) {
       const Particles &step = life.steps[k];
+      if (!life.boxes.empty()) set_box(grid, life.boxes[k]);
       if (k > 0) grid.move(step.count(), step.centers.data(), step.radii.data());
       const std::string what = life.name + ", " + setting + ", step " + std::to_string(k);
       require_same(what.c_str(), sorted_pairs_of(grid), expected[k]);

@@ -27,12 +27,13 @@ struct System {
   std::optional<size_t> pairs;              // as the report says, or as counted in another way
 };
 
-// The same particles in steps, followed by one grid: each step moves all, and gives them new radii.
+// The same particles in steps, followed by one grid: each step moves all, gives them new radii, perhaps another box.
 struct Life {
   std::string name;
   std::vector<Particles> steps;
   hg_grid_def def = hg_default_grid_def();
-  std::vector<size_t> pairs;  // after each step, as the report says; empty: by the oracle alone
+  std::vector<hg_grid_def> boxes;  // the box and the tilt of each step; empty: those of def in all of them
+  std::vector<size_t> pairs;       // after each step, as the report says; empty: by the oracle alone
 };
 
 // Searches it with each rule of levels, on one thread and on several, with and without a skin, in each accuracy, and

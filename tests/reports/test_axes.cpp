@@ -22,7 +22,7 @@ std::vector<Point> square_lattice(int width, int depth, double spacing) {
 Systems pyiron_269() {
   Systems systems;
   for (int axes = 0; axes < 8; axes++) {
-    System lattice = crystal(1.2, {1, 1, 1}, {{0, 0, 0}}, {4, 4, 4});
+    System lattice = crystal(1.2, {{1, 1, 1}}, {{0, 0, 0}}, {4, 4, 4});
     size_t pairs = 0;
     for (int axis = 0; axis < 3; axis++) {
       lattice.def.periodic[axis] = axes >> axis & 1;
@@ -48,7 +48,7 @@ Systems hoomd_317() {
 
 // Two periodic axes and an open one, a cut-off longer than the cell of two atoms, which is repeated here.
 Systems vesin_154() {
-  System sheet = crystal(15, {8, 9, 100}, {{0, 5, 0}, {4, 0, 0}}, {4, 4, 1});
+  System sheet = crystal(15, {{8, 9, 100}}, {{0, 5, 0}, {4, 0, 0}}, {4, 4, 1});
   sheet.def.periodic[2] = 0;
   return {sheet};
 }

@@ -17,23 +17,42 @@ double below(double x) { return std::nextafter(x, -1e300); }
 double above(double x) { return std::nextafter(x, 1e300); }
 
 // Atoms of a perfect lattice that lie on the faces of the box, each given in another image: two images of one atom
-// differ in their last bits, so that a search which orders them by position may refuse a pair both ways.
+// differ in their last bits, so that a search which orders them by position may refuse a pair both ways. In cells with
+// right angles, and in tilted ones as in the report.
 Systems lammps_2759() {
-  const System lattice = crystal(6.5, {3.6, 3.6, 3.6}, fcc(3.6), {5, 5, 5});
+  const System lattice = crystal(6.5, {{3.6, 3.6, 3.6}}, fcc(3.6), {5, 5, 5});
   const System two = periodic(within(2, {{-0.4, 2.6, above(2.6)}, {5.1, below(2.6), 2.6}}, 1), {5.3, 5.3, 5.3});
-  return {named("as a lattice", lattice), named("in other images", in_other_images(lattice, 1, 2)),
-          named("off the faces", moved(lattice, {0.1, -0.1, 0.7})), named("two atoms", two)};
+  System leaning = crystal(6.5, primitive_fcc(3.6), {{0, 0, 0}}, {6, 6, 6});
+  leaning.pairs = 216 * 86 / 2;
+  const System two_leaning = tilted(two, {below(2.65), 1.3, -2.6});
+  return {named("as a lattice", lattice),
+          named("in other images", in_other_images(lattice, 1, 2)),
+          named("off the faces", moved(lattice, {0.1, -0.1, 0.7})),
+          named("two atoms", two),
+          named("tilted", leaning),
+          named("tilted, in other images", in_other_images(leaning, 2, 2)),
+          named("two atoms, tilted", two_leaning)};
 }
 
-// Hexagonal close packing in cells with right angles: 12 neighbours at any place of the origin.
+// Hexagonal close packing of edges a and c: its cell of two atoms.
+System hexagonal(double cutoff, double a, double c, const std::array<int, 3> &repeats) {
+  return crystal(cutoff, {{a, a * kRoot3 / 2, c}, {-a / 2, 0, 0}}, {{0, 0, 0}, {0, a / kRoot3, c / 2}}, repeats);
+}
+
+// Hexagonal close packing in cells with right angles and in hexagonal ones: 12 neighbours at any place of the origin.
 Systems atomman_12() {
   const double a = 3.2, c = a * std::sqrt(8.0 / 3);
   const std::vector<Point> atoms = {
       {0, 0, 0}, {a / 2, a * kRoot3 / 2, 0}, {0, a / kRoot3, c / 2}, {a / 2, a * kRoot3 * 5 / 6, c / 2}};
-  System lattice = crystal(1.1 * a, {a, a * kRoot3, c}, atoms, {3, 3, 3});
-  lattice.pairs = lattice.centers.size() * 12 / 2;
-  return {named("at the origin", lattice), named("moved along x", moved(lattice, {1, 0, 0})),
-          named("moved along z", moved(lattice, {0, 0, 1}))};
+  System lattice = crystal(1.1 * a, {{a, a * kRoot3, c}}, atoms, {3, 3, 3});
+  System tilted_cells = hexagonal(1.1 * a, a, c, {3, 3, 3});
+  Systems systems;
+  for (System *each : {&lattice, &tilted_cells}) {
+    each->pairs = each->centers.size() * 12 / 2;
+    systems.insert(systems.end(), {named("at the origin", *each), named("moved along x", moved(*each, {1, 0, 0})),
+                                   named("moved along z", moved(*each, {0, 0, 1}))});
+  }
+  return systems;
 }
 
 // The same crystal a little flattened, cut off at 1.01 of its shortest edge: 12 neighbours, not 10.
@@ -41,9 +60,11 @@ Systems atomman_11() {
   const double a = 3.1790434213597902, c = 5.100201896236235;
   const std::vector<Point> atoms = {
       {0, 0, 0}, {a / 2, a * kRoot3 / 2, 0}, {0, a / kRoot3, c / 2}, {a / 2, a * kRoot3 * 5 / 6, c / 2}};
-  System lattice = crystal(1.01 * a, {a, a * kRoot3, c}, atoms, {3, 2, 2});
+  System lattice = crystal(1.01 * a, {{a, a * kRoot3, c}}, atoms, {3, 2, 2});
   lattice.pairs = lattice.centers.size() * 12 / 2;
-  return {lattice};
+  System tilted_cells = hexagonal(1.01 * a, a, c, {3, 3, 2});
+  tilted_cells.pairs = tilted_cells.centers.size() * 12 / 2;
+  return {named("right angles", lattice), named("hexagonal", tilted_cells)};
 }
 
 // One atom on the corner of the box, one near the far face, a box whose length is a float: a pair in either order.
@@ -73,7 +94,9 @@ Systems mdanalysis_2345() {
     }
   }
   System slab = periodic(within(2.9, atoms, 36 * (9 + 12 + 12 + 9) / 2), {6 * d, 3 * kRoot3 * d, 0});
-  return {named("floats", in_floats(slab)), named("doubles", slab)};
+  const System tilted_slab = tilted(slab, {3 * d, 0, 0});  // the six rows lean by three atoms
+  return {named("floats", in_floats(slab)), named("doubles", slab), named("tilted, floats", in_floats(tilted_slab)),
+          named("tilted, doubles", tilted_slab)};
 }
 
 // Just below a face, and on it once something has been added: 2 - 2e-12 < 2, and 1 - 1e-17 = 1.
@@ -110,10 +133,8 @@ Systems neighbourlists_38() {
 
 // Zinc blende, one coordinate 4e-52 below the face: 4 neighbours each, as with 0.
 Systems atomistica_30() {
-  const double edge = 4.52743486, quarter = edge / 4;
-  std::vector<Point> atoms = fcc(edge);
-  for (size_t i = 0; i < 4; i++) atoms.push_back({atoms[i][0] + quarter, atoms[i][1] + quarter, atoms[i][2] + quarter});
-  const System with_zero = crystal(2.2, {edge, edge, edge}, atoms, {1, 1, 1});
+  const double edge = 4.52743486;
+  const System with_zero = crystal(2.2, {{edge, edge, edge}}, diamond(edge), {1, 1, 1});
   System with_less = with_zero;
   for (Point &center : with_less.centers) {
     if (center[0] == 0) center[0] = -4.4e-52;

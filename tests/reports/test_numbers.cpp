@@ -28,7 +28,7 @@ Systems nvalchemi_74() {
 Systems matscipy_5() {
   Systems systems;
   for (const double scale : {1.0, 1.3, 85.0, 2e3, 1e8, 1e200}) {
-    System solid = crystal(3.1, {4.05, 4.05, 4.05}, fcc(4.05), {2, 2, 2});
+    System solid = crystal(3.1, {{4.05, 4.05, 4.05}}, fcc(4.05), {2, 2, 2});
     for (Point &center : solid.centers) center = {center[0] * scale, center[1] * scale, center[2] * scale};
     for (double &edge : solid.def.box_max) edge *= scale;
     if (scale > 1.1) solid.pairs = 0;

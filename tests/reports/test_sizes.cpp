@@ -28,13 +28,13 @@ Systems godot_54898() {
 
 // Two kinds of atoms: the longer range of a pair counts.
 Systems lammps_4437() {
-  System alloy = crystal(6, {3.61, 3.61, 3.61}, fcc(3.61), {5, 5, 5});
+  System alloy = crystal(6, {{3.61, 3.61, 3.61}}, fcc(3.61), {5, 5, 5});
   alloy.pairs.reset();
   alloy.def.interaction = HG_MAX_RANGE;
   alloy.radii = {3.6, 6, 3.6};
   System of_one_kind = alloy;
   of_one_kind.radii = {6};
-  of_one_kind.pairs = crystal(6, {3.61, 3.61, 3.61}, fcc(3.61), {5, 5, 5}).pairs;
+  of_one_kind.pairs = crystal(6, {{3.61, 3.61, 3.61}}, fcc(3.61), {5, 5, 5}).pairs;
   return {named("two kinds", alloy), named("the longer alone", of_one_kind)};
 }
 

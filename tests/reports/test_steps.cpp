@@ -120,6 +120,67 @@ Lives ladds_59() {
   return {life("open", steps), periodic(life("periodic", steps), 6)};
 }
 
+// The images of those across two faces slide along them, and the cell flips once it leans by half: by whole edges, as
+// the sheared faces do.
+Lives espresso_5267() {
+  Lives lives;
+  for (const double step : {0.05, 0.7}) {
+    Life life = periodic({}, 8);
+    life.name = std::to_string(step);
+    std::vector<Point> atoms = cloud(11, 250, {0, 0, 0}, {8, 8, 8});
+    for (int k = 0; k < 40; k++) {
+      life.def.tilt[0] += step;
+      if (life.def.tilt[0] > 4) life.def.tilt[0] -= 8;
+      for (Point &atom : atoms) atom[0] += step * atom[1] / 8;
+      life.steps.push_back(spheres(atoms, 0.5));
+      life.boxes.push_back(life.def);
+    }
+    life.def = life.boxes[0];
+    lives.push_back(life);
+  }
+  return lives;
+}
+
+// A box that shrinks a little in each step, its atoms with it or not: they come nearer than the stored list foresaw.
+Lives lammps_1701() {
+  Lives lives;
+  for (const bool affine : {false, true}) {
+    for (const double tilt : {0.0, 2.0}) {
+      Life life = periodic({}, 8);
+      life.name = affine ? "atoms shrink along" : "atoms stay";
+      life.def.tilt[1] = tilt;
+      std::vector<Point> atoms = cloud(12, 200, {0, 0, 0}, {8, 8, 8});
+      for (int k = 0; k < 40; k++) {
+        life.steps.push_back(spheres(atoms, 0.5));
+        life.boxes.push_back(life.def);
+        const double factor = k < 30 ? 0.995 : 0.97;
+        for (double &x : life.def.box_max) x *= factor;
+        life.def.tilt[1] *= factor;
+        for (Point &atom : atoms) {
+          for (double &x : atom) x *= affine ? factor : 1;
+        }
+      }
+      life.def = life.boxes[0];
+      lives.push_back(life);
+    }
+  }
+  return lives;
+}
+
+// Two atoms at rest in a box that shrinks from 10 to 9: they meet through its faces once it is shorter than 9.5.
+Lives jax_md_399() {
+  Life life = periodic({}, 10);
+  life.name = "through the faces";
+  for (int k = 0; k <= 20; k++) {
+    for (double &x : life.def.box_max) x = 10 - 0.05 * k;
+    life.steps.push_back(spheres({{0.25, 4, 4}, {8.75, 4, 4}}, 0.5));
+    life.boxes.push_back(life.def);
+    life.pairs.push_back(life.def.box_max[0] < 9.5 ? 1 : 0);
+  }
+  life.def = life.boxes[0];
+  return {life};
+}
+
 // Pairs of those that are left, by the ids they had: with holes between them, and with new ones behind.
 void require_pairs_of_the_rest(const hg_grid_def &def) {
   const Particles all = spheres(cloud(6, 200, {0, 0, 0}, {7, 7, 7}), 0.5);
@@ -166,11 +227,18 @@ void espresso_4622(void **) {
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {
-      cmocka_unit_test((report<celllistmap_86>)), cmocka_unit_test((report<jax_md_165>)),
-      cmocka_unit_test((report<aabbcc_5>)),       cmocka_unit_test((report<dissolve_957>)),
-      cmocka_unit_test((report<godot_54855>)),    cmocka_unit_test((report<hoomd_2022>)),
-      cmocka_unit_test((report<librascal_143>)),  cmocka_unit_test((report<nvalchemi_toolkit_153>)),
-      cmocka_unit_test((report<ladds_59>)),       cmocka_unit_test(espresso_4622)};
+  const CMUnitTest tests[] = {cmocka_unit_test((report<celllistmap_86>)),
+                              cmocka_unit_test((report<jax_md_165>)),
+                              cmocka_unit_test((report<aabbcc_5>)),
+                              cmocka_unit_test((report<dissolve_957>)),
+                              cmocka_unit_test((report<godot_54855>)),
+                              cmocka_unit_test((report<hoomd_2022>)),
+                              cmocka_unit_test((report<librascal_143>)),
+                              cmocka_unit_test((report<nvalchemi_toolkit_153>)),
+                              cmocka_unit_test((report<ladds_59>)),
+                              cmocka_unit_test((report<espresso_5267>)),
+                              cmocka_unit_test((report<lammps_1701>)),
+                              cmocka_unit_test((report<jax_md_399>)),
+                              cmocka_unit_test(espresso_4622)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -47,6 +47,10 @@ Grid make_grid(const hg_grid_def &def, const Particles &particles) {
   return grid;
 }
 
+void set_box(const Grid &grid, const hg_grid_def &def) {
+  hgrid::check(hg_set_box(grid.get(), def.box_min, def.box_max, def.tilt));
+}
+
 Pairs pairs_of(const Grid &grid) {
   const hgrid::View<hg_pair> pairs = grid.query_pairs();
   return Pairs(pairs.begin(), pairs.end());

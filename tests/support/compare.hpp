@@ -31,6 +31,8 @@ hg_status status_of(Call call) {
 
 using hgrid::Grid;
 Grid make_grid(const hg_grid_def &def, const Particles &particles);
+// Gives the grid the box of the definition.
+void set_box(const Grid &grid, const hg_grid_def &def);
 
 // The pairs in the order of the library, and sorted by id.
 Pairs pairs_of(const Grid &grid);
