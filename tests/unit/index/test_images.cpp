@@ -25,13 +25,6 @@ using hg::IndexLevel;
 
 using Key = std::pair<uint32_t, hg::Image>;  // slot and image
 
-bool is_forward(const hg::Shift &shift) {
-  for (int axis = 2; axis >= 0; axis--) {
-    if (shift.n[axis] != 0) return shift.n[axis] > 0;
-  }
-  return false;
-}
-
 class Scene {
  public:
   Scene(uint64_t seed, hg::Memory &memory)
