@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 namespace particles {
 namespace {
@@ -27,25 +29,86 @@ size_t skip_blanks(std::string_view line, size_t first) {
 }  // namespace
 
 int find_column(const LineCursor &cursor, const Columns &columns, std::string_view name) {
-  int found = -1;
-  for (size_t k = 0; k < columns.names.size(); k++) {
-    if (columns.names[k] != name) continue;
-    if (found >= 0) cursor.fail("column " + in_quotes(name) + " is named twice");
-    found = static_cast<int>(k);
+  for (const bool any_case : {false, true}) {
+    int found = -1;
+    for (size_t k = 0; k < columns.names.size(); k++) {
+      if (columns.names[k] != name && !(any_case && lower_case(columns.names[k]) == lower_case(name))) continue;
+      if (found >= 0) cursor.fail("column " + in_quotes(name) + " is named twice");
+      found = static_cast<int>(k);
+    }
+    if (found >= 0) return found;
   }
+  return -1;
+}
+
+void rename_columns(const LineCursor &cursor, Columns &columns, const ReadOptions &options) {
+  if (options.header.empty()) return;
+  if (options.header.size() != columns.names.size())
+    cursor.fail(std::to_string(options.header.size()) + " names of columns were given, " +
+                in_quotes(joined(options.header)) + ", but there are " + std::to_string(columns.names.size()));
+  columns.names = options.header;
+}
+
+namespace {
+
+int asked_column(const LineCursor &cursor, const Columns &columns, std::string_view name) {
+  const int found = find_column(cursor, columns, name);
+  if (found < 0) cursor.fail("no column " + in_quotes(name) + " among " + in_quotes(joined(columns.names)));
   return found;
 }
 
-void find_size_column(const LineCursor &cursor, Columns &columns) {
-  for (const char *name : {"r", "radius", "d", "diameter"}) {
-    const int found = find_column(cursor, columns, name);
-    if (found < 0) continue;
-    if (columns.size >= 0)
-      cursor.fail("columns " + in_quotes(columns.names[static_cast<size_t>(columns.size)]) + " and " + in_quotes(name) +
-                  " both give the size");
-    columns.size = found;
-    columns.is_diameter = name[0] == 'd';
+// As a column or as a compute, variable, fix or property of LAMMPS.
+int find_size_column(const LineCursor &cursor, const Columns &columns, std::string_view name) {
+  for (const char *prefix : {"", "c_", "v_", "f_", "d_"}) {
+    const int found = find_column(cursor, columns, std::string(prefix).append(name));
+    if (found >= 0) return found;
   }
+  return -1;
+}
+
+int first_column(const LineCursor &cursor, const Columns &columns, std::initializer_list<const char *> names) {
+  int found = -1;
+  for (const char *name : names)
+    if (found < 0) found = find_size_column(cursor, columns, name);
+  return found;
+}
+
+// Whether the options tell the size.
+bool take_asked_size(const LineCursor &cursor, Columns &columns, const ReadOptions &options) {
+  if (!options.type_radii.empty()) {
+    for (const char *name : {"type", "species", "element"})
+      if (columns.type < 0) columns.type = find_column(cursor, columns, name);
+    if (columns.type < 0)
+      cursor.fail("no column type, species or element among " + in_quotes(joined(columns.names)) +
+                  " for the radii of types");
+    return true;
+  }
+  if (!options.diameter.empty()) {
+    columns.size = asked_column(cursor, columns, options.diameter);
+    columns.is_diameter = true;
+    return true;
+  }
+  if (options.radius.empty()) return false;
+  const bool is_number = number_fault(options.radius, columns.radius) == nullptr && columns.radius >= 0;
+  if (!is_number || find_column(cursor, columns, options.radius) >= 0)
+    columns.size = asked_column(cursor, columns, options.radius);
+  return true;
+}
+
+}  // namespace
+
+void find_size(const LineCursor &cursor, Columns &columns, const ReadOptions &options) {
+  if (take_asked_size(cursor, columns, options)) return;
+  columns.size = first_column(cursor, columns, {"radius", "radii"});
+  columns.diameter = first_column(cursor, columns, {"diameter", "diameters"});
+  if (columns.size < 0 && columns.diameter < 0) {
+    columns.size = first_column(cursor, columns, {"r"});
+    columns.diameter = first_column(cursor, columns, {"d"});
+  }
+  if (columns.size >= 0) return;
+  columns.is_diameter = true;
+  columns.size = columns.diameter;
+  columns.diameter = -1;
   if (columns.size < 0) cursor.fail("no column radius, r, diameter or d among " + in_quotes(joined(columns.names)));
 }
 
@@ -57,11 +120,24 @@ int settle_dimension(const LineCursor &cursor, const Columns &columns, int asked
   return columns.axis[2] < 0 ? 2 : 3;
 }
 
-RowReader::RowReader(const LineCursor &cursor, const Columns &columns, ParticleSet &particles)
-    : cursor_(cursor), columns_(columns), particles_(particles), slot_of_column_(columns.names.size(), kUnused) {
-  for (int axis = 0; axis < 3; axis++)
-    if (columns.axis[axis] >= 0) slot_of_column_[static_cast<size_t>(columns.axis[axis])] = Slot(axis);
-  slot_of_column_[static_cast<size_t>(columns.size)] = kSize;
+RowReader::RowReader(const LineCursor &cursor, const Columns &columns, const ReadOptions &options,
+                     ParticleSet &particles)
+    : cursor_(cursor),
+      columns_(columns),
+      options_(options),
+      particles_(particles),
+      slot_of_column_(columns.names.size(), kUnused) {
+  const auto [x, y, z] = columns.axis;
+  const std::pair<int, Slot> slots[] = {
+      {x, kX}, {y, kY}, {z, kZ}, {columns.size, kSize}, {columns.diameter, kDiameter}, {columns.type, kType}};
+  for (const auto &[column, slot] : slots) {
+    if (column < 0) continue;
+    Slot &place = slot_of_column_[static_cast<size_t>(column)];
+    if (place != kUnused)
+      cursor.fail("column " + in_quotes(columns.names[static_cast<size_t>(column)]) +
+                  " cannot be a coordinate and the size");
+    place = slot;
+  }
 }
 
 size_t RowReader::split(std::string_view line, std::string_view (&fields)[kSlots]) const {
@@ -86,6 +162,35 @@ double RowReader::number(std::string_view field, int column) const {
   if (const char *fault = number_fault(text, value))
     cursor_.fail(in_quotes(text) + " in column " + in_quotes(columns_.names[static_cast<size_t>(column)]) + " " +
                  fault);
+  return value;
+}
+
+double RowReader::size(std::string_view field, int column) const {
+  const double value = number(field, column);
+  if (value < 0)
+    cursor_.fail(in_quotes(trimmed(field)) + " in column " + in_quotes(columns_.names[static_cast<size_t>(column)]) +
+                 " is negative");
+  return value;
+}
+
+double RowReader::radius_of_type(std::string_view type) const {
+  const auto found = options_.type_radii.find(type);
+  if (found != options_.type_radii.end()) return found->second;
+  std::string known;
+  for (const auto &[name, radius] : options_.type_radii) known += (known.empty() ? "" : ", ") + name;
+  cursor_.fail("no radius was given for the type " + in_quotes(type) + " but for " + in_quotes(known));
+}
+
+double RowReader::radius(const std::string_view (&fields)[kSlots]) const {
+  if (columns_.type >= 0) return radius_of_type(without_quotes(trimmed(fields[kType])));
+  if (columns_.size < 0) return columns_.radius;
+  const double value = size(fields[kSize], columns_.size);
+  if (columns_.is_diameter) return value / 2;
+  // Far more than rounding: the columns are not what their names say.
+  constexpr double kSame = 0.01;
+  if (columns_.diameter >= 0 && std::fabs(size(fields[kDiameter], columns_.diameter) / 2 - value) > kSame * value)
+    cursor_.fail("the radius " + in_quotes(trimmed(fields[kSize])) + " is not half of the diameter " +
+                 in_quotes(trimmed(fields[kDiameter])) + ": say which column to take (--radius or --diameter)");
   return value;
 }
 
@@ -120,12 +225,9 @@ void RowReader::append(std::string_view line) {
   if (count != slot_of_column_.size())
     cursor_.fail(std::to_string(count) + " values in " + in_quotes(line) + " where there should be " +
                  std::to_string(slot_of_column_.size()));
-  const double size = number(fields[kSize], columns_.size);
-  if (size < 0)
-    cursor_.fail(in_quotes(trimmed(fields[kSize])) + " in column " +
-                 in_quotes(columns_.names[static_cast<size_t>(columns_.size)]) + " is negative");
+  const double size = radius(fields);
   append_center(fields);
-  particles_.radii.push_back(columns_.is_diameter ? size / 2 : size);
+  particles_.radii.push_back(size);
 }
 
 }  // namespace particles

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables with a header line: CSV and its relatives. A header names the columns x, y, z (optional) and radius, r,
-// diameter or d, in any order and among others. Separators are commas, semicolons, tabs or blanks, as in the header.
+// diameter or d, in any order and among others; it may be a comment. Separators are commas, semicolons, tabs or blanks,
+// as in the first line.
 // Lines that begin with '#' are comments; the one that the writer leaves ("# box: ...") sets the box.
+#include "particles/error.hpp"
 #include "particles/files/columns.hpp"
 #include "particles/files/reader.hpp"
 #include "particles/text/number.hpp"
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace particles {
 namespace {
@@ -24,36 +27,83 @@ char separator_of(std::string_view header) {
   return kBlanks;
 }
 
-std::string_view without_quotes(std::string_view name) {
-  if (name.size() >= 2 && name.front() == '"' && name.back() == '"') return name.substr(1, name.size() - 2);
-  return name;
-}
-
 std::vector<std::string> column_names(std::string_view header, char separator) {
   std::vector<std::string> names;
   if (separator == kBlanks) {
-    for (const std::string_view word : split_words(header)) names.push_back(lower_case(without_quotes(word)));
+    for (const std::string_view word : split_words(header)) names.emplace_back(without_quotes(word));
     return names;
   }
   for (size_t first = 0; first <= header.size();) {
     const size_t last = std::min(header.find(separator, first), header.size());
-    names.push_back(lower_case(without_quotes(trimmed(header.substr(first, last - first)))));
+    names.emplace_back(without_quotes(trimmed(header.substr(first, last - first))));
     first = last + 1;
   }
   return names;
 }
 
-Columns columns_of(const LineCursor &cursor, std::string_view header) {
-  Columns columns;
-  columns.separator = separator_of(header);
-  columns.names = column_names(header, columns.separator);
+bool names_axes(const std::vector<std::string> &names) {
+  const auto has = [&](const char *axis) {
+    return std::any_of(names.begin(), names.end(), [&](const std::string &name) { return lower_case(name) == axis; });
+  };
+  return has("x") && has("y");
+}
+
+// Whether a line with these fields is one of values.
+bool is_row(const std::vector<std::string> &fields) {
   double value = 0;
-  if (number_fault(columns.names.front(), value) == nullptr)
-    cursor.fail("the first line must name the columns (such as x,y,z,radius), but it holds " + in_quotes(header));
+  return !names_axes(fields) && std::any_of(fields.begin(), fields.end(), [&](const std::string &field) {
+    return number_fault(field, value) == nullptr;
+  });
+}
+
+// The names in a comment before the rows, as numpy.savetxt ("# x y z r") and Yade ("#format x_y_z_r") leave them; empty
+// if they are none.
+std::vector<std::string> names_in_comment(std::string_view line) {
+  constexpr std::string_view kYade = "format ";
+  line = trimmed(line.substr(std::min(line.find_first_not_of('#'), line.size())));
+  const bool is_yade = line.substr(0, kYade.size()) == kYade;
+  if (is_yade) line = trimmed(line.substr(kYade.size()));
+  std::vector<std::string> names = column_names(line, is_yade ? '_' : separator_of(line));
+  if (!names_axes(names)) names.clear();
+  return names;
+}
+
+// Looks for the line that names the columns.
+class Header {
+ public:
+  explicit Header(const ReadOptions &options) : asked_(!options.header.empty()) {}
+
+  void take_comment(std::string_view line) {
+    std::vector<std::string> names = names_in_comment(line);
+    if (names.empty()) return;
+    // Yade's last word stands for any number of attributes.
+    is_open_ = names.back() == "attrs";
+    comment_ = std::move(names);
+  }
+
+  // Takes the first line that is no comment. Whether it is already one of values.
+  bool take_line(const LineCursor &cursor, std::string_view line, Columns &columns) {
+    columns.separator = separator_of(line);
+    columns.names = column_names(line, columns.separator);
+    if (!is_row(columns.names)) return false;
+    if (asked_) return true;
+    if (is_open_ && comment_.size() < columns.names.size()) comment_.resize(columns.names.size());
+    if (comment_.size() != columns.names.size())
+      cursor.fail("the first line must name the columns (such as x,y,z,radius), but it holds " + in_quotes(line));
+    columns.names = comment_;
+    return true;
+  }
+
+ private:
+  bool asked_, is_open_ = false;
+  std::vector<std::string> comment_;
+};
+
+void find_columns(const LineCursor &cursor, const ReadOptions &options, Columns &columns) {
+  rename_columns(cursor, columns, options);
   for (int axis = 0; axis < 3; axis++)
     columns.axis[axis] = find_column(cursor, columns, std::string_view("xyz").substr(static_cast<size_t>(axis), 1));
-  find_size_column(cursor, columns);
-  return columns;
+  find_size(cursor, columns, options);
 }
 
 // "# box: xmin ymin zmin xmax ymax zmax periodic 0 0 0", or so and "tilt xy xz yz".
@@ -81,7 +131,29 @@ void read_box(const LineCursor &cursor, std::string_view line, ParticleSet &part
   particles.has_box = true;
 }
 
+void take_box(const LineCursor &cursor, std::string_view line, const ReadOptions &options, ParticleSet &particles) {
+  ParticleSet with_box = particles;
+  try {
+    read_box(cursor, line, with_box);
+    particles = std::move(with_box);
+  } catch (const Error &) {
+    if (options.needs_box) throw;
+  }
+}
+
 }  // namespace
+
+bool names_columns(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::string_view content = trimmed(line.substr(0, line.find_last_not_of('\r') + 1));
+    const bool is_comment = !content.empty() && content.front() == '#';
+    if (is_comment && !names_in_comment(content).empty()) return true;
+    if (!content.empty() && !is_comment) return names_axes(column_names(content, separator_of(content)));
+  }
+  return false;
+}
 
 ParticleSet read_csv(const TextFile &file, const ReadOptions &options) {
   LineCursor cursor(file);
@@ -89,23 +161,27 @@ ParticleSet read_csv(const TextFile &file, const ReadOptions &options) {
   if (options.frame > 1)
     cursor.fail(0, "frame " + std::to_string(options.frame) + " of a CSV file, which has only one");
   Columns columns;
+  Header header(options);
   std::optional<RowReader> rows;
   std::string_view line;
   while (cursor.next(line)) {
     if (line.substr(0, sizeof kBoxComment - 1) == kBoxComment) {
       if (particles.has_box) cursor.fail("a second box");
-      read_box(cursor, line, particles);
+      take_box(cursor, line, options, particles);
       continue;
     }
     const std::string_view content = trimmed(line);
+    if (!content.empty() && content.front() == '#') header.take_comment(content);
     if (content.empty() || content.front() == '#') continue;
     if (rows) {
       rows->append(line);
       continue;
     }
-    columns = columns_of(cursor, line);
+    const bool has_values = header.take_line(cursor, line, columns);
+    find_columns(cursor, options, columns);
     particles.dimension = settle_dimension(cursor, columns, options.dimension);
-    rows.emplace(cursor, columns, particles);
+    rows.emplace(cursor, columns, options, particles);
+    if (has_values) rows->append(line);
   }
   if (!rows) cursor.fail("no line names the columns (such as x,y,z,radius)");
   return particles;

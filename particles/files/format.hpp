@@ -30,7 +30,6 @@ struct Format {
   std::string (*loss)(const ParticleSet &particles) = [](const ParticleSet &) { return std::string(); };
 };
 
-// The first is what a file is taken for that nothing tells.
 const std::vector<Format> &all_formats();
 std::vector<Format> readable_formats();
 
@@ -38,5 +37,8 @@ std::vector<Format> readable_formats();
 const Format *format_of_word(std::string_view word);
 const Format *format_of_name(std::string_view path);
 const Format *format_of_content(std::string_view text);
+
+// Whether a line before the rows names x and y, as in CSV.
+bool names_columns(std::string_view text);
 
 }  // namespace particles

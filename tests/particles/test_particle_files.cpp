@@ -223,6 +223,44 @@ bool unreadable_files_are_refused() {
          refuses(".vtp", "<?xml", " VTK PolyData is only written, never read");
 }
 
+// The same text as each kind of file, with every mark and line end.
+bool marks_and_line_ends_are_alike() {
+  const auto expected = with_box(test::set_of(3, {1, 2, 3, 4, 5, 6}, {0.5, 0.25}), {0, 0, 0}, {8, 8, 8}, {1, 1, 1});
+  for (const particles::Format &format : particles::readable_formats()) {
+    const std::string plain = text_of(format.name, expected);
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+      std::string text;
+      for (const char letter : plain) text += letter == '\n' ? end : std::string(1, letter);
+      if (!test::reads(".any", text, expected) || !test::reads(".any", "\xEF\xBB\xBF" + text + end + end, expected)) {
+        std::fprintf(stderr, "format %s\n", format.name);
+        return false;
+      }
+    }
+  }
+  return refuses(".csv", std::string("\xFF\xFEx\0,\0", 6), " the text is in UTF-16; save it in UTF-8");
+}
+
+// After the last row nothing may stand but blank lines.
+bool text_after_the_rows_is_refused() {
+  const auto set = with_box(test::set_of(3, {1, 2, 3}, {0.5}), {0, 0, 0}, {8, 8, 8}, {1, 1, 1});
+  return refuses(".any", text_of("csv", set) + "the end\n", "4: 1 values in 'the end' where there should be 4") &&
+         refuses(".any", text_of("xyz", set) + "the end\n",
+                 "4: the number of particles should stand here, not 'the end'") &&
+         refuses(".any", text_of("lammps", set) + "the end\n",
+                 "11: a line 'ITEM: ...' should stand here, not 'the end'");
+}
+
+bool unknown_files_are_named() {
+  std::string looked_for;
+  for (const particles::Format &format : particles::readable_formats())
+    looked_for += std::string(format.title) + " with " + format.needs + "; ";
+  const std::string message =
+      "1: neither the content nor the name tells what kind of file this is. Looked for: " + looked_for +
+      "but it begins with ";
+  return refuses(".h5", "\x89HDF\r\n\x1a\n", message + "'\x89HDF?'") &&
+         refuses(".pdb", "HEADER  A MOLECULE\nATOM 1\n", message + "'HEADER  A MOLECULE'");
+}
+
 bool refuses_output(const std::string &path, const std::string &message) {
   return test::error_of([&] {
            particles::write_particles(path, format("csv"), test::set_of(3, {0, 0, 0}, {1}));
@@ -264,6 +302,9 @@ int main() {
       cmocka_unit_test(formats_are_recognised),
       cmocka_unit_test(passes<a_forced_format_wins>),
       cmocka_unit_test(passes<unreadable_files_are_refused>),
+      cmocka_unit_test(passes<marks_and_line_ends_are_alike>),
+      cmocka_unit_test(passes<text_after_the_rows_is_refused>),
+      cmocka_unit_test(passes<unknown_files_are_named>),
       cmocka_unit_test(passes<unwritable_files_are_reported>),
       cmocka_unit_test(further_columns_are_written),
       cmocka_unit_test(passes<columns_are_skipped>),

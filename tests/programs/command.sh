@@ -153,6 +153,16 @@ test_tilted() {
   "$hgrid" levels tilted.csv | grep -q "tilt 2.5 -3.75 1.25" || fault "levels does not tell the tilt"
   fails 1 "tilted.csv: the periodic box is tilted" slice tilted.csv --output slice.svg
   fails 1 "tilted.csv: HG_ERR_ARGUMENT: def.tilt[0] = 2.5" pairs tilted.csv --periodic yz
+  # A cell that no grid takes, read for its particles only.
+  sed 's/10 0 0 2.5 10/0 10 0 10 0/' tilted.xyz >turned.xyz
+  same_pairs "turned, open" open.txt turned.xyz --open
+  same_pairs "turned, another box" upright.txt turned.xyz --box 0,0,0,10,10,10
+  sed 's/"10 0 0 2.5 10 0 -3.75 1.25 10"/"10 0 0 6e-16 10 0 -6e-16 6e-16 10"/' tilted.xyz >rounded.xyz
+  same_pairs "rounded" upright.txt rounded.xyz
+  "$hgrid" pairs rounded.xyz --periodic y >/dev/null || fault "rounded, with open axes"
+  sed 's/ Properties/ pbc=F Properties/' tilted.xyz >closed.xyz
+  same_pairs "tilted, made open" open.txt closed.xyz
+  same_pairs "tilted, made periodic" nearest.txt closed.xyz --periodic xyz
 
   scatter 2 200 815 >plane.csv
   image_pairs plane.csv -4 0 0 | sort -u >nearest.txt
@@ -182,6 +192,33 @@ test_output() {
   printf 'ITEM: ATOMS id xs ys zs diameter\n1 0.0625 0 0 2\n2 0.9375 0 0 2\n' >>two.dump
   equal "dump across the box" "$("$hgrid" pairs two.dump)" "$(printf 'a,b\n0,1')"
   equal "dump, open" "$("$hgrid" pairs two.dump --open)" "a,b"
+}
+
+# Columns that do not tell by their names, through the options for them.
+test_columns() {
+  local expected
+  printf 'x,y,z,r\n0,0,0,1\n1.5,0,0,1\n5,0,0,3\n' >plain.csv
+  expected=$("$hgrid" pairs plain.csv --order id)
+  equal "three particles" "$expected" "$(printf 'a,b\n0,1\n1,2')"
+  printf '0 0 0 1\n1.5 0 0 1\n5 0 0 3\n' >bare.txt
+  printf 'A,B,C,size,kind\n0,0,0,1,1\n1.5,0,0,1,1\n5,0,0,3,two\n' >other.csv
+  equal "--header" "$("$hgrid" pairs bare.txt --order id --header x,y,z,r)" "$expected"
+  equal "--header, standard input" "$("$hgrid" pairs - --order id --header x,y,z,r <bare.txt)" "$expected"
+  equal "--header instead" "$("$hgrid" pairs other.csv --order id --header 'x, y, z, r, type')" "$expected"
+  equal "--radius" "$("$hgrid" pairs plain.csv --order id --radius R)" "$expected"
+  equal "--diameter" "$("$hgrid" pairs plain.csv --order id --diameter r)" "$(printf 'a,b')"
+  equal "--radius for all" "$("$hgrid" pairs plain.csv --order id --radius 2)" "$(printf 'a,b\n0,1\n1,2')"
+  equal "--type-radius" \
+    "$("$hgrid" pairs other.csv --order id --header x,y,z,size,type --type-radius 1=1,two=3)" "$expected"
+  fails 1 "other.csv:4: no radius was given for the type 'two' but for '1'" \
+    pairs other.csv --header x,y,z,size,type --type-radius 1=1
+  fails 1 "plain.csv:1: no column 'size' among 'x, y, z, r'" pairs plain.csv --radius size
+  fails 2 "--type-radius: 'one' is not a number" pairs plain.csv --type-radius 1=one
+  fails 2 "--type-radius: '-1' is negative" pairs plain.csv --type-radius 1=-1
+  fails 2 "--type-radius: '5' is not TYPE=RADIUS" pairs plain.csv --type-radius 5
+  fails 2 "--type-radius: two radii for the type '1'" pairs plain.csv --type-radius 1=1,1=2
+  fails 2 "excludes" pairs plain.csv --type-radius 1=1 --radius r
+  fails 1 "<stdin>:1: neither the content nor the name tells what kind of file this is" pairs - <bare.txt
 }
 
 test_levels() {
@@ -269,6 +306,7 @@ test_scattered
 test_tilted
 test_all_images
 test_output
+test_columns
 test_levels
 test_failures
 test_broken_output
