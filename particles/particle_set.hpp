@@ -37,6 +37,8 @@ struct ParticleSet {
   std::vector<Column> columns;
   std::optional<Moment> moment;
 
+  std::vector<std::string> notes;  // what a file did not tell
+
   size_t count() const { return radii.size(); }
   bool is_tilted() const { return tilt[0] != 0 || tilt[1] != 0 || tilt[2] != 0; }
   const double *center(size_t i) const { return &centers[i * static_cast<size_t>(dimension)]; }

@@ -35,7 +35,7 @@ std::vector<Key> with_size_laws(const std::vector<Key> &others) {
 
 const char *format_list() {
   std::string list;
-  for (const particles::Format &format : particles::all_formats())
+  for (const particles::Format &format : particles::writable_formats())
     list += std::string(list.empty() ? "" : ", ") + format.name + " (" + format.title + ")";
   return kept(std::move(list));
 }

@@ -111,7 +111,7 @@ void read_output(const Table &top, const std::string &path, Scene &scene) {
   const auto output = top.part("output");
   if (!output) return;
   plan.directory = output->text("directory", plan.directory);
-  if (output->has("formats")) plan.formats = output->choices("formats", particles::names_of(particles::all_formats()));
+  if (output->has("formats")) plan.formats = output->choices("formats", particles::names_of(particles::writable_formats()));
   plan.pictures = steps_of(*output, "every", scene.setup.time_step, 0);
   plan.energies = steps_of(*output, "energy", scene.setup.time_step, plan.energies);
   plan.checkpoints = steps_of(*output, "checkpoint", scene.setup.time_step, 0);

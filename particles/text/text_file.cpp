@@ -38,7 +38,8 @@ void make_plain(TextFile &file) {
   if (text.compare(0, 2, "\xFF\xFE") == 0 || text.compare(0, 2, "\xFE\xFF") == 0)
     throw Error(file.name, 0, "the text is in UTF-16; save it in UTF-8");
   if (text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0) text.erase(0, kByteOrderMark.size());
-  if (text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+  const bool is_text = text.find('\0') == std::string::npos;
+  if (is_text && text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <map>
 
@@ -134,6 +135,10 @@ particles::ParticleSet load_particles(const ParticleOptions &options) {
   read.type_radii = type_radii(options.type_radius);
   read.needs_box = options.box.empty() && !options.open;
   particles::ParticleSet particles = particles::read_particles(options.file, read);
+  // Only who says which axes are periodic knows what is missing.
+  if (options.periodic.empty() && !options.open)
+    for (const std::string &note : particles.notes)
+      std::fprintf(stderr, "hgrid: %s: note: %s\n", options.file.c_str(), note.c_str());
   if (!options.box.empty()) apply_box(options.box, particles);
   if (!options.tilt.empty()) apply_tilt(options.tilt, particles);
   if (!options.periodic.empty()) apply_periodic(options.periodic, particles);
