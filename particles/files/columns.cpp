@@ -73,14 +73,17 @@ int first_column(const LineCursor &cursor, const Columns &columns, std::initiali
   return found;
 }
 
+void find_type(const LineCursor &cursor, Columns &columns, const std::string &purpose) {
+  for (const char *name : {"type", "species", "element"})
+    if (columns.type < 0) columns.type = find_column(cursor, columns, name);
+  if (columns.type < 0)
+    cursor.fail("no column type, species or element among " + in_quotes(joined(columns.names)) + purpose);
+}
+
 // Whether the options tell the size.
 bool take_asked_size(const LineCursor &cursor, Columns &columns, const ReadOptions &options) {
   if (!options.type_radii.empty()) {
-    for (const char *name : {"type", "species", "element"})
-      if (columns.type < 0) columns.type = find_column(cursor, columns, name);
-    if (columns.type < 0)
-      cursor.fail("no column type, species or element among " + in_quotes(joined(columns.names)) +
-                  " for the radii of types");
+    find_type(cursor, columns, " for the radii of types");
     return true;
   }
   if (!options.diameter.empty()) {
@@ -120,6 +123,43 @@ int settle_dimension(const LineCursor &cursor, const Columns &columns, int asked
   return columns.axis[2] < 0 ? 2 : 3;
 }
 
+namespace {
+
+// What a vector is called before the letter or number of its axis.
+struct Motion {
+  const char *name;
+  std::initializer_list<const char *> stems;
+};
+
+const Motion kMotions[] = {{"velocity", {"v", "velocity_", "velo.", "velocity.", "velocities.", "vel.", "v."}},
+                           {"spin", {"omega", "spin_", "spin.", "angular_velocity.", "omega."}}};
+
+bool has_motion(const Columns &columns, int kind) {
+  const int *axis = columns.motion[kind];
+  return axis[0] >= 0 || axis[1] >= 0 || axis[2] >= 0;
+}
+
+// All components along axes that there are, else none.
+void find_motion(const LineCursor &cursor, Columns &columns, int kind) {
+  for (const std::string stem : kMotions[kind].stems) {
+    const char *axes = stem.back() == '.' ? "012" : "xyz";
+    int found[3];
+    for (int axis = 0; axis < 3; axis++) found[axis] = find_column(cursor, columns, stem + axes[axis]);
+    const bool is_plane = columns.axis[2] < 0;
+    if (found[0] < 0 || found[1] < 0 || (found[2] < 0 && !(is_plane && kind == 0))) continue;
+    std::copy_n(found, 3, columns.motion[kind]);
+    return;
+  }
+}
+
+}  // namespace
+
+void find_further_columns(const LineCursor &cursor, Columns &columns, const ReadOptions &options) {
+  if (options.ids) columns.id = asked_column(cursor, columns, "id");
+  if (options.types && columns.type < 0) find_type(cursor, columns, "");
+  for (int kind = 0; options.motion && kind < 2; kind++) find_motion(cursor, columns, kind);
+}
+
 RowReader::RowReader(const LineCursor &cursor, const Columns &columns, const ReadOptions &options,
                      ParticleSet &particles)
     : cursor_(cursor),
@@ -127,16 +167,39 @@ RowReader::RowReader(const LineCursor &cursor, const Columns &columns, const Rea
       options_(options),
       particles_(particles),
       slot_of_column_(columns.names.size(), kUnused) {
-  const auto [x, y, z] = columns.axis;
-  const std::pair<int, Slot> slots[] = {
-      {x, kX}, {y, kY}, {z, kZ}, {columns.size, kSize}, {columns.diameter, kDiameter}, {columns.type, kType}};
-  for (const auto &[column, slot] : slots) {
-    if (column < 0) continue;
-    Slot &place = slot_of_column_[static_cast<size_t>(column)];
-    if (place != kUnused)
-      cursor.fail("column " + in_quotes(columns.names[static_cast<size_t>(column)]) +
-                  " cannot be a coordinate and the size");
-    place = slot;
+  for (int axis = 0; axis < 3; axis++) take(columns.axis[axis], Slot(axis));
+  take(columns.size, kSize);
+  take(columns.diameter, kDiameter);
+  take(columns.type, kType);
+  take(columns.id, kId);
+  for (int kind = 0; kind < 2; kind++) {
+    for (int axis = 0; axis < 3; axis++) take(columns.motion[kind][axis], Slot(kVelocity + 3 * kind + axis));
+    if (has_motion(columns, kind)) particles.columns.push_back({kMotions[kind].name, 3, {}});
+  }
+  if (!options.motion) return;
+  for (size_t k = 0; k < columns.names.size(); k++)
+    if (slot_of_column_[k] == kUnused) particles.unused.push_back(columns.names[k]);
+}
+
+void RowReader::take(int column, Slot slot) {
+  if (column < 0) return;
+  const auto place = static_cast<size_t>(column);
+  if (slot_of_column_[place] != kUnused)
+    cursor_.fail("column " + in_quotes(columns_.names[place]) + " cannot be a coordinate and the size");
+  slot_of_column_[place] = slot;
+}
+
+void RowReader::append_further(const std::string_view (&fields)[kSlots]) {
+  if (columns_.id >= 0) particles_.ids.emplace_back(without_quotes(trimmed(fields[kId])));
+  if (options_.types) particles_.types.emplace_back(without_quotes(trimmed(fields[kType])));
+  size_t place = 0;
+  for (int kind = 0; kind < 2; kind++) {
+    if (!has_motion(columns_, kind)) continue;
+    std::vector<double> &values = particles_.columns[place++].values;
+    for (int axis = 0; axis < 3; axis++) {
+      const int column = columns_.motion[kind][axis];
+      values.push_back(column < 0 ? 0 : number(fields[kVelocity + 3 * kind + axis], column));
+    }
   }
 }
 
@@ -182,7 +245,7 @@ double RowReader::radius_of_type(std::string_view type) const {
 }
 
 double RowReader::radius(const std::string_view (&fields)[kSlots]) const {
-  if (columns_.type >= 0) return radius_of_type(without_quotes(trimmed(fields[kType])));
+  if (!options_.type_radii.empty()) return radius_of_type(without_quotes(trimmed(fields[kType])));
   if (columns_.size < 0) return columns_.radius;
   const double value = size(fields[kSize], columns_.size);
   if (columns_.is_diameter) return value / 2;
@@ -228,6 +291,7 @@ void RowReader::append(std::string_view line) {
   const double size = radius(fields);
   append_center(fields);
   particles_.radii.push_back(size);
+  append_further(fields);
 }
 
 }  // namespace particles

@@ -22,10 +22,12 @@ struct Columns {
   int axis[3] = {-1, -1, -1};      // the column of each coordinate; -1: the table has none
   int size = -1;                   // the column of the radius or diameter; -1: another tells it
   bool is_diameter = false;
-  int diameter = -1;                       // beside a radius: must be twice as long
-  int type = -1;                           // the column on which ReadOptions::type_radii is looked up
-  double radius = 0;                       // of all particles, where no column tells it
-  bool scaled[3] = {false, false, false};  // the coordinate counts in edges of the box from its lower corner
+  int diameter = -1;  // beside a radius: must be twice as long
+  int id = -1;
+  int type = -1;                                    // the column on which ReadOptions::type_radii is looked up
+  int motion[2][3] = {{-1, -1, -1}, {-1, -1, -1}};  // velocity and spin
+  double radius = 0;                                // of all particles, where no column tells it
+  bool scaled[3] = {false, false, false};           // the coordinate counts in edges of the box from its lower corner
 
   // No more rows than this fit in so many bytes, whatever a file claims: a value and what ends it take two.
   size_t most_rows(size_t bytes) const { return bytes / (2 * names.size()) + 1; }
@@ -37,6 +39,10 @@ void rename_columns(const LineCursor &cursor, Columns &columns, const ReadOption
 // Finds what tells the size: what the options name, else a radius ("radius", "radii", "r") or a diameter, also as a
 // variable of LAMMPS ("c_radius"). Whole words come before letters. Fails at the cursor's line if there is none.
 void find_size(const LineCursor &cursor, Columns &columns, const ReadOptions &options);
+
+// Finds velocity and spin, and ids and types, as far as the options ask for them. Fails at the cursor's line where ids
+// or types are missing.
+void find_further_columns(const LineCursor &cursor, Columns &columns, const ReadOptions &options);
 
 // The column called `name`, -1 if there is none: spelled so, else whatever the case. Fails at the cursor's line if
 // there are two.
@@ -55,7 +61,7 @@ class RowReader {
   void append(std::string_view line);
 
  private:
-  enum Slot { kX, kY, kZ, kSize, kDiameter, kType, kSlots, kUnused };
+  enum Slot { kX, kY, kZ, kSize, kDiameter, kType, kId, kVelocity, kSpin = kVelocity + 3, kSlots = kSpin + 3, kUnused };
 
   size_t split(std::string_view line, std::string_view (&fields)[kSlots]) const;
   double number(std::string_view field, int column) const;
@@ -63,6 +69,8 @@ class RowReader {
   double radius(const std::string_view (&fields)[kSlots]) const;
   double radius_of_type(std::string_view type) const;
   double place(const double (&values)[3], int axis) const;
+  void take(int column, Slot slot);
+  void append_further(const std::string_view (&fields)[kSlots]);
   void append_center(const std::string_view (&fields)[kSlots]);
 
   const LineCursor &cursor_;

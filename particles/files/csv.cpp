@@ -104,6 +104,7 @@ void find_columns(const LineCursor &cursor, const ReadOptions &options, Columns 
   for (int axis = 0; axis < 3; axis++)
     columns.axis[axis] = find_column(cursor, columns, std::string_view("xyz").substr(static_cast<size_t>(axis), 1));
   find_size(cursor, columns, options);
+  find_further_columns(cursor, columns, options);
 }
 
 // "# box: xmin ymin zmin xmax ymax zmax periodic 0 0 0", or so and "tilt xy xz yz".

@@ -59,12 +59,12 @@ const std::vector<Format> &all_formats() {
        write_lammps, loss_in_lammps},
       {"xyz", "extended XYZ", ".xyz .extxyz", "Properties naming pos and radius", begins_xyz, read_xyz, write_xyz,
        loss_in_xyz},
-      {"data", "LAMMPS data file", ".data .lmp", "Atoms # sphere, or another style and --type-radius", begins_lammps_data,
-       read_lammps_data, nullptr},
+      {"data", "LAMMPS data file", ".data .lmp", "Atoms # sphere, or another style and --type-radius",
+       begins_lammps_data, read_lammps_data, nullptr},
       {"vtp", "VTK PolyData", ".vtp", "points and radius or diameter, also of an UnstructuredGrid", begins_vtp,
        read_vtp, write_vtp},
-      {"vtk", "VTK legacy file", ".vtk", "points and radius or diameter of POLYDATA or an UNSTRUCTURED_GRID", begins_vtk,
-       read_vtk, nullptr},
+      {"vtk", "VTK legacy file", ".vtk", "points and radius or diameter of POLYDATA or an UNSTRUCTURED_GRID",
+       begins_vtk, read_vtk, nullptr},
   };
   return formats;
 }

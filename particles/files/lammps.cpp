@@ -132,6 +132,7 @@ bool read_head(LineCursor &cursor, const ReadOptions &options, Frame &frame) {
         cursor.fail("scaled coordinates need the file's box, whose edges point elsewhere");
       if (frame.box.is_tilted()) refuse_half_scaled(cursor, frame.columns);
       find_size(cursor, frame.columns, options);
+      find_further_columns(cursor, frame.columns, options);
       frame.rows = cursor.position();
       return true;
     } else {

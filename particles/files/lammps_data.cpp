@@ -105,6 +105,7 @@ Columns columns_of(const LineCursor &cursor, std::vector<std::string> names, siz
   if (in_first_row == columns.names.size() + 3) columns.names.insert(columns.names.end(), {"nx", "ny", "nz"});
   for (int axis = 0; axis < 3; axis++) columns.axis[axis] = find_column(cursor, columns, std::string(1, "xyz"[axis]));
   find_size(cursor, columns, options);
+  find_further_columns(cursor, columns, options);
   return columns;
 }
 
@@ -162,6 +163,8 @@ ParticleSet read_lammps_data(const TextFile &file, const ReadOptions &options) {
   }
   if (next_row(cursor, line) && !is_section(split_words(line)))
     cursor.fail("a section should begin here after " + std::to_string(head.count) + " atoms, not " + in_quotes(line));
+  for (bool more = options.motion; more; more = next_row(cursor, line))
+    if (line == "Velocities") particles.unused.emplace_back("section Velocities");
   return particles;
 }
 

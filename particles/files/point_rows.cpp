@@ -37,6 +37,7 @@ ParticleSet particles_of_points(const std::string &file, const std::vector<doubl
   for (int axis = 0; axis < 3; axis++)
     columns.axis[axis] = options.header.empty() ? axis : find_column(head, columns, std::string(1, "xyz"[axis]));
   find_size(head, columns, options);
+  find_further_columns(head, columns, options);
   ParticleSet particles;
   particles.dimension = settle_dimension(head, columns, options.dimension);
   LineCursor point(each);

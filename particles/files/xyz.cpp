@@ -135,6 +135,7 @@ Columns read_columns(const LineCursor &cursor, const XyzKeys &keys, const ReadOp
     columns.axis[axis] = find_column(cursor, columns, std::string(1, "xyz"[axis]));
   if (columns.axis[0] < 0 && !is_named) cursor.fail("Properties " + in_quotes(*properties) + " does not name pos");
   find_size(cursor, columns, options);
+  find_further_columns(cursor, columns, options);
   return columns;
 }
 

@@ -22,10 +22,12 @@ struct ParticleOptions {
   std::string radius;       // the column of the radius, or a number
   std::string diameter;     // the column of the diameter
   std::string type_radius;  // TYPE=RADIUS with commas
-  std::string periodic;     // letters of the periodic axes, "" = as the file says
-  bool open = false;        // no periodic axis, whatever the file says
-  std::string box;          // lower corner, upper corner with commas; empty: the file's
-  std::string tilt;         // xy, xz, yz with commas; empty: the file's, of a box that is given none
+  bool ids = false;         // not an option: whether ids and types are read, too
+  bool types = false;
+  std::string periodic;  // letters of the periodic axes, "" = as the file says
+  bool open = false;     // no periodic axis, whatever the file says
+  std::string box;       // lower corner, upper corner with commas; empty: the file's
+  std::string tilt;      // xy, xz, yz with commas; empty: the file's, of a box that is given none
 };
 
 // Adds FILE, --format, --frame, --dimension, --header, --radius, --diameter, --type-radius, --periodic, --open, --box

@@ -214,6 +214,25 @@ bool columns_are_skipped() {
   return true;
 }
 
+// What `hgrid run` takes of its own files, and what it names as not used.
+bool motion_is_read() {
+  particles::ReadOptions options = of_dimension(2);
+  options.motion = true;
+  particles::ParticleSet written = disks_in_motion();
+  for (const char *name : {"csv", "lammps", "xyz", "vtp"}) {
+    const test::ScratchFile file(".any", text_of(name, written));
+    const particles::ParticleSet found = particles::read_particles(file.name(), options);
+    const bool same = found.columns.size() == 2 && found.columns[0].name == "velocity" &&
+                      found.columns[0].values == written.columns[0].values && found.columns[1].name == "spin" &&
+                      found.columns[1].values == written.columns[2].values;
+    const auto &unused = found.unused;
+    if (same && std::find(unused.begin(), unused.end(), "mass") != unused.end()) continue;
+    std::fprintf(stderr, "format %s: other velocities, spins or names\n", name);
+    return false;
+  }
+  return true;
+}
+
 // docs/guide/command.md has a line for every row of the table.
 bool page_tells_all() {
   for (const particles::Format &format : particles::all_formats()) {
@@ -316,6 +335,7 @@ int main() {
       cmocka_unit_test(passes<unwritable_files_are_reported>),
       cmocka_unit_test(further_columns_are_written),
       cmocka_unit_test(passes<columns_are_skipped>),
+      cmocka_unit_test(passes<motion_is_read>),
       cmocka_unit_test(passes<long_output_is_complete>),
       cmocka_unit_test(passes<page_tells_all>),
   };
