@@ -221,7 +221,8 @@ test_columns() {
   fails 1 "<stdin>:1: neither the content nor the name tells what kind of file this is" pairs - <bare.txt
 }
 
-# nearest FILE XY XZ YZ: all_pairs with square of the distance and shift, by a look at all images, in the cell of edge 10.
+# nearest FILE XY XZ YZ: the pairs of nearest images with distance, overlap and shift, by a look at all images around,
+# in the periodic cell of edge 10 with this tilt.
 nearest() {
   awk -F, -v CONVFMT=%.17g -v xy="$2" -v xz="$3" -v yz="$4" '
     NR == 1 { next }
@@ -229,7 +230,7 @@ nearest() {
     END {
       for (a = 0; a < n; ++a) for (b = a + 1; b < n; ++b) {
         least = 1e9
-        for (i = -2; i <= 2; ++i) for (j = -2; j <= 2; ++j) for (k = -2; k <= 2; ++k) {
+        for (i = -2; i <= 2; ++i) for (j = -1; j <= 1; ++j) for (k = -1; k <= 1; ++k) {
           dx = x[b, 1] - x[a, 1] + 10 * i + xy * j + xz * k
           dy = x[b, 2] - x[a, 2] + 10 * j + yz * k
           dz = x[b, 3] - x[a, 3] + 10 * k
@@ -251,17 +252,18 @@ test_pair_columns() {
   printf 'x,y,r\n0.5,5,1\n9.5,5,1\n' >plane.csv
   equal "a plane" "$("$hgrid" pairs plane.csv --box 0,0,10,10 --periodic x --columns place,distance,shift)" \
     "$(printf 'a,b,distance,shift_x,shift_y\n0,1,1,-1,0')"
-  scatter 3 200 815 >set.csv
+  scatter 3 300 4711 >set.csv
   local tilt
   for tilt in 0,0,0 2.5,-3.75,1.25; do
     # shellcheck disable=SC2046
     nearest set.csv $(tr , ' ' <<<"$tilt") >expected.txt
     "$hgrid" pairs set.csv --order id --box 0,0,0,10,10,10 --periodic xyz --tilt $tilt \
       --columns place,distance,overlap,shift | tail -n +2 >found.txt
-    [ "$(grep -c -- '-1' expected.txt)" -gt 5 ] || fault "too few contacts of seed 815 lie across the box to tell anything"
+    [ "$(grep -vc ',0,0,0$' expected.txt)" -gt 20 ] || fault "too few contacts across the box"
     paste -d, expected.txt found.txt | awk -F, '
       function far(u, v) { return (u - v) ^ 2 > 1e-24 }
-      $1 != $8 || $2 != $9 || far($3, $10) || far($4, $11) || $5 != $12 || $6 != $13 || $7 != $14 { print "line " NR; exit 1 }
+      $1 != $8 || $2 != $9 || far($3, $10) || far($4, $11) { print "line " NR; exit 1 }
+      $5 != $12 || $6 != $13 || $7 != $14 { print "line " NR; exit 1 }
     ' || fault "tilt $tilt: other distances or shifts"
   done
   fails 1 "four.csv:1: no column 'id' among 'x, y, z, r'" pairs four.csv --columns id
