@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <vector>
 
 namespace {
 
@@ -179,11 +181,29 @@ class Session {
       x = bytes_.below(2) == 0 ? bytes_.number() : x + bytes_.number();
       if (radii) moved.radii[bytes_.byte() % moved.radii.size()] = bytes_.length();
     }
-    if (takes([&] { grid_.move(moved.count(), moved.centers.data(), radii ? moved.radii.data() : nullptr); })) {
+    if (radii && changes % 2 == 1) {
+      set(moved);
+    } else if (takes([&] { grid_.move(moved.count(), moved.centers.data(), radii ? moved.radii.data() : nullptr); })) {
       expect(GridModel::may_hold(def_, moved), "a bad move is taken");
       model_.move(moved.centers, radii ? &moved.radii : nullptr);
     } else {
       expect(!GridModel::must_hold(def_, moved), "a good move is refused");
+    }
+  }
+
+  // Particles with ids that start anew, from columns.
+  void set(const Particles &particles) {
+    hg_array centers[3];
+    for (int k = 0; k < def_.dimension; k++) {
+      centers[k] = {particles.centers.data() + k, static_cast<int64_t>(sizeof(double)) * def_.dimension, HG_REAL64, 0};
+    }
+    const hg_array radius = {particles.radii.data(), sizeof(double), HG_REAL64, 0};
+    if (takes([&] { grid_.set_arrays(particles.count(), centers, &radius); })) {
+      expect(GridModel::may_hold(def_, particles), "a bad set is taken");
+      model_.clear();
+      model_.insert(particles);
+    } else {
+      expect(!GridModel::must_hold(def_, particles), "a good set is refused");
     }
   }
 
@@ -234,6 +254,7 @@ class Session {
     expect(def_.pair_order != HG_ORDER_ID || std::is_sorted(found.begin(), found.end(), oracle::pair_less),
            "pairs do not ascend");
     model_.check_pairs(found);
+    check_vectors(found);
   }
 
   void visit() {
@@ -241,6 +262,31 @@ class Session {
     Pairs found;
     grid_.visit_pairs([&](hgrid::View<hg_pair> batch) { found.insert(found.end(), batch.begin(), batch.end()); });
     model_.check_pairs(found);
+  }
+
+  // No two of the same pair have the same shift, and contacts bring the vectors of the list in its order.
+  void check_vectors(const Pairs &pairs) {
+    const auto dimension = static_cast<size_t>(def_.dimension);
+    const auto [vectors, shifts] = grid_.query_pair_vectors();
+    std::set<std::vector<int32_t>> met;
+    for (size_t p = 0; p < pairs.size(); p++) {
+      std::vector<int32_t> image = {pairs[p].a, pairs[p].b};
+      image.insert(image.end(), shifts.data() + p * dimension, shifts.data() + (p + 1) * dimension);
+      expect(met.insert(image).second, "a pair has the same shift twice");
+    }
+    size_t visited = 0;
+    const hgrid::View<double> expected = vectors;
+    grid_.visit_contacts([&](const hg_contact_batch &batch) {
+      const double *components[3] = {batch.dx, batch.dy, batch.dz};
+      for (size_t k = 0; k < batch.count; k++, visited++) {
+        expect(visited < pairs.size(), "contacts are more than pairs");
+        expect(oracle::pair_equal({batch.a[k], batch.b[k]}, pairs[visited]), "contacts have another order");
+        for (size_t axis = 0; axis < dimension; axis++) {
+          expect(components[axis][k] == expected[visited * dimension + axis], "a contact has another vector");
+        }
+      }
+    });
+    expect(visited == pairs.size(), "contacts are fewer than pairs");
   }
 
   // Rows ascend; with HG_ALL_IMAGES an id may stand there several times, that of the row as well.
@@ -276,6 +322,13 @@ class Session {
     takes([&] {
       const hgrid::View<int32_t> ids = grid_.query_sphere(center, radius);
       model_.check_sphere({center, radius}, ids.data(), ids.size());
+      if (def_.accuracy == HG_DOUBLE) return;  // its squares may overflow, and infinite ones touch
+      for (size_t row = 0; row < model_.size(); row++) {
+        const Particles &particles = model_.particles();
+        const bool found = std::binary_search(ids.begin(), ids.end(), model_.ids()[row]);
+        expect(grid_.overlap(center, radius, particles.center(row), particles.radii[row]) == found,
+               "hg_overlap and hg_query_sphere do not agree");
+      }
     });
   }
 
@@ -285,6 +338,9 @@ class Session {
     for (const hg_level &level : grid_.query_levels()) particles += level.particle_count;
     expect(particles == static_cast<int64_t>(model_.size()), "the levels do not hold all particles");
     grid_.query_level_costs();
+    const hgrid::View<int32_t> order = grid_.query_order();
+    expect(std::is_permutation(order.begin(), order.end(), model_.ids().begin(), model_.ids().end()),
+           "the order along space has other ids");
     expect(grid_.get_stats().particle_count == particles, "the number of particles is wrong");
   }
 

@@ -19,7 +19,8 @@ struct Cell {
 
  private:
   static Number length(const hg_grid_def &def, int axis) {
-    return def.periodic[axis] == 0 ? Number(0) : Number(Number(def.box_max[axis]) - Number(def.box_min[axis]));
+    const bool open = axis >= def.dimension || def.periodic[axis] == 0;
+    return open ? Number(0) : Number(Number(def.box_max[axis]) - Number(def.box_min[axis]));
   }
 };
 

@@ -119,4 +119,10 @@ Packing make_packing(const Request &request, const SweepObserver &observe) {
   return packing;
 }
 
+void scale(particles::ParticleSet &set, double factor) {
+  for (double &x : set.centers) x *= factor;
+  for (double &r : set.radii) r *= factor;
+  for (double &x : set.box_max) x *= factor;
+}
+
 }  // namespace packing

@@ -53,4 +53,7 @@ particles::ParticleSet lay_particles(const Request &request);
 // Checks the request and makes the packing. The same request gives the same bytes on any machine.
 Packing make_packing(const Request &request, const SweepObserver &observe);
 
+// Multiplies all lengths of a packing, whose box starts at 0.
+void scale(particles::ParticleSet &set, double factor);
+
 }  // namespace packing

@@ -62,6 +62,27 @@ double exponential(double x) {
   return sum;
 }
 
+// x = m 2^e with m about 1, and ln m = 2 (t + t^3 / 3 + t^5 / 5 + ...), t = (m - 1) / (m + 1).
+double logarithm(double x) {
+  constexpr double kLn2 = 0.693147180559945309417, kRootOfHalf = 0.7071067811865476;
+  int exponent = 0;
+  double m = std::frexp(x, &exponent);
+  if (m < kRootOfHalf) {
+    m *= 2;
+    exponent--;
+  }
+  const double t = (m - 1) / (m + 1);
+  double term = t, sum = t;
+  for (int odd = 3;; odd += 2) {
+    term *= t * t;
+    const double next = sum + term / odd;
+    if (next == sum) return 2 * sum + exponent * kLn2;
+    sum = next;
+  }
+}
+
+double real_power(double base, double exponent) { return exponential(exponent * logarithm(base)); }
+
 double normal_quantile(double p) { return p < 0.5 ? -quantile_above(0.5 - p) : quantile_above(p - 0.5); }
 
 double unit_ball(int dimension) {

@@ -17,6 +17,12 @@ double root(double x, int degree);
 // e^x.
 double exponential(double x);
 
+// ln x, x > 0.
+double logarithm(double x);
+
+// base^exponent, base > 0.
+double real_power(double base, double exponent);
+
 // The x with Phi(x) = p, Phi the standard normal distribution, 0 <= p <= 1. The ends, which are infinitely far away,
 // give the places where Phi rounds to them, about -8 and 8.
 double normal_quantile(double p);

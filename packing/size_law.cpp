@@ -4,6 +4,7 @@
 #include "packing/size_law.hpp"
 
 #include "packing/portable_math.hpp"
+#include "packing/sizes/curve_laws.hpp"
 #include "particles/error.hpp"
 #include "particles/text/lists.hpp"
 #include "particles/text/number.hpp"
@@ -23,6 +24,23 @@ constexpr LawParameter kExponent = {"exponent", &SizeLaw::exponent, "a of p(r) ~
                                     true};
 constexpr LawParameter kSigma = {
     "sigma", &SizeLaw::sigma, "standard deviation of ln r", "above 0 and up to 3", kAboveZero, 3};
+
+constexpr LawParameter kModulus = {
+    "modulus", &SizeLaw::modulus, "q of the mass finer, (r / ratio)^q", "above 0 and up to 3", kAboveZero, 3};
+constexpr LawParameter kD63 = {
+    "d63", &SizeLaw::d63, "size over the smallest that 63.2 % of the mass is finer than", "1 to 1e6", 1, 1e6};
+constexpr LawParameter kUniformity = {"uniformity",           &SizeLaw::uniformity, "n of 1 - exp(-(r / d63)^n)",
+                                      "above 0 and up to 10", kAboveZero,           10};
+constexpr LawParameter kMedian = {
+    "median", &SizeLaw::median, "size over the smallest that half of the mass is finer than", "1 to 1e6", 1, 1e6};
+constexpr LawParameter kFrom = {"from",
+                                &SizeLaw::from,
+                                "smallest size taken, in the file's column and unit",
+                                "0 (all) or more",
+                                0,
+                                std::numeric_limits<double>::max()};
+// Narrower curves fall between the knots that they are taken at.
+constexpr double kLeastSigmaByMass = 0.05;
 
 bool is_allowed(const LawParameter &parameter, double value) {
   return value >= parameter.least && value <= parameter.most && (!parameter.is_whole || value == std::floor(value));
@@ -75,6 +93,18 @@ std::string fault_of_two_sizes(const SizeLaw &law, size_t count) {
          " particles";
 }
 
+std::string fault_of_log_normal_mass(const SizeLaw &law, size_t) {
+  if (law.sigma >= kLeastSigmaByMass) return "";
+  return "the sigma of log-normal-mass is " + text(kLeastSigmaByMass) + " or more, not " + text(law.sigma);
+}
+
+std::string fault_of_table(const SizeLaw &law, size_t) {
+  if (law.table == nullptr) return "the law table needs a file of sizes";
+  const double last = law.table->size_of(law.table->knots.back().radius);
+  if (law.from < last) return "";
+  return "sizes are taken from below the largest, " + text(last) + ", not from " + text(law.from);
+}
+
 const TakenParameter *taken_by(const LawRow &row, const LawParameter &parameter) {
   for (const TakenParameter &taken : row.takes)
     if (taken.parameter == &parameter) return &taken;
@@ -115,12 +145,42 @@ const std::vector<LawRow> &size_laws() {
        power_law},
       {Law::kLogNormal, "log-normal", "ln r normal with deviation sigma, median 1", {{&kSigma, 1}}, log_normal},
       {Law::kOneGiant, "one-giant", "one of radius ratio, all others 1", {{&kRatio, 10}}, one_giant},
+      {Law::kFuller,
+       "fuller",
+       "mass finer than r ~ r^q from 1 to ratio, q = modulus: Fuller 0.5, Andreasen 0.33 to 0.5, "
+       "Gates-Gaudin-Schuhmann any",
+       {{&kRatio, 16}, {&kModulus, 0.5}},
+       nullptr,
+       fault_of_nothing,
+       fuller_curve},
+      {Law::kRosinRammler,
+       "rosin-rammler",
+       "mass finer than r 1 - exp(-(r / d63)^n), n = uniformity, cut at 1 and ratio",
+       {{&kRatio, 50}, {&kD63, 10}, {&kUniformity, 1}},
+       nullptr,
+       fault_of_nothing,
+       rosin_rammler_curve},
+      {Law::kLogNormalMass,
+       "log-normal-mass",
+       "ln r normal by mass with deviation sigma about median, cut at 1 and ratio",
+       {{&kRatio, 50}, {&kMedian, 10}, {&kSigma, 1}},
+       nullptr,
+       fault_of_log_normal_mass,
+       log_normal_mass_curve},
+      {Law::kTable,
+       "table",
+       "of the file --sizes (key sizes), by mass or number, in its unit; the share is linear in ln r between its rows",
+       {{&kFrom, 0}},
+       nullptr,
+       fault_of_table,
+       table_curve},
   };
   return rows;
 }
 
 const std::vector<const LawParameter *> &law_parameters() {
-  static const std::vector<const LawParameter *> parameters = {&kRatio, &kExponent, &kSigma};
+  static const std::vector<const LawParameter *> parameters = {&kRatio, &kExponent,   &kSigma,  &kModulus,
+                                                               &kD63,   &kUniformity, &kMedian, &kFrom};
   return parameters;
 }
 
@@ -159,6 +219,12 @@ std::string set_parameter(SizeLaw &law, const LawParameter &parameter, double va
   return "";
 }
 
+std::string set_sizes(SizeLaw &law, const std::string &path) {
+  if (law.law != Law::kTable) return std::string("is for table, not for the law ") + row_of(law.law).name;
+  law.table = std::make_shared<const SizeTable>(read_size_table(path));
+  return "";
+}
+
 std::string law_fault(const SizeLaw &law, size_t count) {
   const LawRow &row = row_of(law.law);
   for (const TakenParameter &taken : row.takes) {
@@ -166,7 +232,11 @@ std::string law_fault(const SizeLaw &law, size_t count) {
     if (!is_allowed(*taken.parameter, value))
       return std::string("the ") + taken.parameter->name + " is " + taken.parameter->range + ", not " + text(value);
   }
-  return row.fault(law, count);
+  std::string fault = row.fault(law, count);
+  // Where nothing lies between the ends, shares are nothing over nothing.
+  if (fault.empty() && row.curve != nullptr && !std::isfinite(row.curve(law).number_below().front()))
+    fault = std::string("nothing of the law ") + row.name + " lies between its ends";
+  return fault;
 }
 
 std::string describe(const LawParameter &parameter) {
@@ -187,9 +257,16 @@ std::string usual_values(const LawParameter &parameter) {
 std::vector<double> sample_radii(const SizeLaw &law, size_t count, double u) {
   const LawRow &row = row_of(law.law);
   std::vector<double> radii(count);
-  for (size_t i = 0; i < count; i++) radii[i] = row.radius(law, i, count, u);
+  if (row.radius != nullptr) {
+    for (size_t i = 0; i < count; i++) radii[i] = row.radius(law, i, count, u);
+    return radii;
+  }
+  const SizeCurve curve = row.curve(law);
+  for (size_t i = 0; i < count; i++) radii[i] = curve.radius_at(share_below(i, count, u));
   return radii;
 }
+
+double first_radius(const SizeLaw &law) { return law.law == Law::kTable ? table_curve(law).radii().front() : 1; }
 
 double box_edge(const std::vector<double> &radii, double density, int dimension) {
   return root(volume_of(radii, dimension) / density, dimension);

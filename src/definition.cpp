@@ -18,10 +18,6 @@ constexpr uint32_t kFirstStructSize = offsetof(hg_grid_def, level_price);  // of
 
 constexpr double kPaperOverhead = 0.3;  // K of Eq. 7
 
-// Of `hgrid calibrate`: docs/decisions/0018-levels-by-cost.md.
-constexpr double kLevelPrice = 4;
-constexpr double kRowPrice = 18;
-
 void check_choice(const char *name, int32_t value, int32_t least, int32_t greatest) {
   if (value < least || value > greatest) {
     fail(HG_ERR_ARGUMENT, "def.%s = %d is not in [%d, %d]", name, static_cast<int>(value), static_cast<int>(least),
@@ -119,8 +115,8 @@ LevelSettings check_levels(const hg_grid_def &def) {
   levels.level_count = def.level_count;
   levels.cell_overhead = check_price("cell_overhead", def.cell_overhead, kPaperOverhead);
   levels.counts_work = def.level_rule == HG_LEVELS_AUTO && def.cell_overhead < 0;
-  levels.prices.level = check_price("level_price", def.level_price, kLevelPrice);
-  levels.prices.row = check_price("row_price", def.row_price, kRowPrice);
+  levels.prices.level = check_price("level_price", def.level_price, kFittedPrice);
+  levels.prices.row = check_price("row_price", def.row_price, kFittedPrice);
   if (def.level_rule != HG_LEVELS_USER) return levels;
   if (def.level_count == 0) fail(HG_ERR_ARGUMENT, "def.level_count = 0: HG_LEVELS_USER needs cell_sizes");
   if (def.cell_sizes == nullptr) fail(HG_ERR_NULL, "def.cell_sizes is NULL with HG_LEVELS_USER");

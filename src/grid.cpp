@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/grid.hpp"
 
+#include "src/base/error.hpp"
 #include "src/base/parallel.hpp"
 #include "src/pairs/pair_visit.hpp"
+#include "src/search/contact_visit.hpp"
 #include "src/search/skin.hpp"
 
 #include <cstring>
@@ -38,6 +40,7 @@ Grid::Grid(const Definition &definition, const hg_allocator &allocator)
       store_(memory_,
              InputCheck(definition.domain, definition.interaction, definition.levels.largest_diameter(), threads_),
              ShortCell(definition.domain, definition.interaction), definition.domain.dimension, definition.index_base),
+      given_(memory_),
       overlap_(definition.interaction, definition.accuracy, definition.domain),
       level_choice_(memory_, definition.levels, definition.interaction),
       index_(memory_, definition.domain, definition.interaction),
@@ -49,6 +52,8 @@ Grid::Grid(const Definition &definition, const hg_allocator &allocator)
       pool_(memory_, threads_),
       pairs_(memory_),
       order_(memory_),
+      vectors_(memory_),
+      spatial_order_(memory_),
       rows_{NeighborRows(memory_), NeighborRows(memory_)},
       by_slot_(memory_) {}
 
@@ -71,6 +76,35 @@ void Grid::move(size_t count, const double *centers, const double *radii) {
                     std::memcmp(radii, store_.radii(), count * sizeof *radii) == 0;
   store_.move(count, centers, same ? nullptr : radii);
   changed(radii != nullptr && !same);
+}
+
+void Grid::set(size_t count, const double *centers, const double *radii) {
+  if (count > 0 && count == store_.live_count() && store_.is_as_set()) {
+    move(count, centers, radii);
+    return;
+  }
+  store_.set(count, centers, radii);
+  changed(true);
+  candidates_.drop();
+}
+
+// A count that cannot be is refused before so much is copied.
+void Grid::insert_arrays(size_t count, const hg_array *centers, const hg_array *radius) {
+  store_.check_insert(count);
+  given_.gather(count, dimension(), centers, radius);
+  insert(count, given_.centers(), given_.radii());
+}
+
+void Grid::move_arrays(size_t count, const hg_array *centers, const hg_array *radius) {
+  store_.check_move(count);
+  given_.gather(count, dimension(), centers, radius);
+  move(count, given_.centers(), radius != nullptr ? given_.radii() : nullptr);
+}
+
+void Grid::set_arrays(size_t count, const hg_array *centers, const hg_array *radius) {
+  store_.check_set(count);
+  given_.gather(count, dimension(), centers, radius);
+  set(count, given_.centers(), given_.radii());
 }
 
 void Grid::remove(size_t count, const int32_t *ids) {
@@ -107,6 +141,8 @@ void Grid::changed(bool radii) {
   }
   grown_ = grown_ || radii;
   pairs_found_ = false;
+  vectors_.forget();
+  spatial_order_.forget();
   rows_made_[HG_HALF] = rows_made_[HG_FULL] = false;
 }
 
@@ -213,6 +249,64 @@ void Grid::query_pairs(const hg_pair **pairs, size_t *count) {
   find_pairs_locked();
   *pairs = pairs_.count() == 0 ? nullptr : pairs_.data();
   *count = pairs_.count();
+}
+
+PairGeometry Grid::geometry() const {
+  return {definition_.domain, store_, overlap_, definition_.interaction.diameter(store_.summary().radius.greatest)};
+}
+
+void Grid::find_vectors_locked() {
+  find_pairs_locked();
+  if (vectors_.found() || pairs_.count() == 0) return;
+  vectors_.find(geometry(), store_, pairs_.data(), pairs_.count(), definition_.domain.dimension, threads_);
+}
+
+void Grid::query_pair_vectors(const double **vectors, const int32_t **shifts) {
+  const std::lock_guard lock(mutex_);
+  find_vectors_locked();
+  if (vectors != nullptr) *vectors = pairs_.count() == 0 ? nullptr : vectors_.vectors();
+  if (shifts != nullptr) *shifts = pairs_.count() == 0 ? nullptr : vectors_.shifts();
+}
+
+void Grid::copy_pairs(size_t capacity, int32_t *a, int32_t *b, size_t *count) {
+  const std::lock_guard lock(mutex_);
+  find_pairs_locked();
+  *count = pairs_.count();
+  if (*count > capacity) fail(HG_ERR_CAPACITY, "%zu pairs, but capacity is %zu", *count, capacity);
+  if (*count == 0) return;
+  if (a == nullptr) fail(HG_ERR_NULL, "a is NULL");
+  if (b == nullptr) fail(HG_ERR_NULL, "b is NULL");
+  for (size_t p = 0; p < *count; p++) {
+    a[p] = pairs_.data()[p].a;
+    b[p] = pairs_.data()[p].b;
+  }
+}
+
+// With many images a pair of ids does not tell which of them is meant: then the list tells it.
+void Grid::visit_contacts(hg_contact_visitor *visit, void *context) {
+  build();
+  if (store_.slots() == 0) return;
+  const PairGeometry shape = geometry();
+  ContactVisit contacts(shape, store_, definition_.domain.dimension, memory_, visit, context);
+  if (shape.many_images()) {
+    const double *vectors = nullptr;
+    query_pair_vectors(&vectors, nullptr);
+    const VisitScope scope(this);
+    contacts.take(pairs_.data(), vectors, pairs_.count());
+    return;
+  }
+  const auto take = [](void *all, const hg_pair *pairs, size_t count) -> int32_t {
+    return static_cast<ContactVisit *>(all)->take(pairs, count) ? 0 : 1;
+  };
+  visit_pairs(take, &contacts);
+}
+
+void Grid::query_order(const int32_t **ids, size_t *count) {
+  const BuiltGrid grid = built();
+  const std::lock_guard lock(mutex_);
+  if (!spatial_order_.found()) spatial_order_.find(grid);
+  *count = store_.slots();
+  *ids = *count == 0 ? nullptr : spatial_order_.ids();
 }
 
 void Grid::visit_pairs(hg_pair_visitor *visit, void *context) {

@@ -12,9 +12,14 @@
 #include "src/pairs/pair_list.hpp"
 #include "src/pairs/pair_order.hpp"
 #include "src/particles/bounds.hpp"
+#include "src/particles/given_arrays.hpp"
 #include "src/search/built_grid.hpp"
 #include "src/search/candidate_filter.hpp"
+#include "src/search/pair_geometry.hpp"
 #include "src/search/pair_search.hpp"
+#include "src/search/pair_vectors.hpp"
+#include "src/search/spatial_order.hpp"
+#include "src/search/sphere_search.hpp"
 
 #include <hgrid/types.h>
 
@@ -28,8 +33,13 @@ class Grid {
 
   void insert(size_t count, const double *centers, const double *radii);
   void move(size_t count, const double *centers, const double *radii);
+  void set(size_t count, const double *centers, const double *radii);
   void remove(size_t count, const int32_t *ids);
   void clear();
+  // The same, of particles in arrays of any stride and type.
+  void insert_arrays(size_t count, const hg_array *centers, const hg_array *radius);
+  void move_arrays(size_t count, const hg_array *centers, const hg_array *radius);
+  void set_arrays(size_t count, const hg_array *centers, const hg_array *radius);
   void set_box(const double *box_min, const double *box_max, const double *tilt);
 
   // The calls below build the index if it is out of date. They may run in parallel with each other.
@@ -38,6 +48,11 @@ class Grid {
   BuiltGrid built();
   void query_pairs(const hg_pair **pairs, size_t *count);
   void visit_pairs(hg_pair_visitor *visit, void *context);
+  void query_pair_vectors(const double **vectors, const int32_t **shifts);
+  void copy_pairs(size_t capacity, int32_t *a, int32_t *b, size_t *count);
+  void visit_contacts(hg_contact_visitor *visit, void *context);
+  void query_order(const int32_t **ids, size_t *count);
+  bool overlaps(const Ball &a, const Ball &b) const { return hg::overlaps(definition_.domain, overlap_, a, b); }
   void query_neighbors(int32_t list, const int64_t **offsets, const int32_t **neighbors);
   void query_levels(const hg_level **levels, size_t *count);
   void query_level_costs(const hg_level_cost **costs, size_t *count);
@@ -62,6 +77,8 @@ class Grid {
   Answer answer_locked();
   void count_answer(const Answer &answer, const SearchCounts &counts, size_t pairs);
   void find_pairs_locked();
+  void find_vectors_locked();
+  PairGeometry geometry() const;
   void make_rows_locked(int32_t list);
 
   Definition definition_;
@@ -69,6 +86,7 @@ class Grid {
   Memory memory_;
   std::mutex mutex_;  // makes queries of several threads on one grid take turns where they store results
   ParticleStore store_;
+  GivenArrays given_;
   Overlap overlap_;
 
   LevelChoice level_choice_;
@@ -89,6 +107,8 @@ class Grid {
   PairList pairs_;
   bool pairs_found_ = false;
   PairOrder order_;
+  PairVectors vectors_;
+  SpatialOrder spatial_order_;
   NeighborRows rows_[2];  // HG_HALF, HG_FULL
   bool rows_made_[2] = {false, false};
   Buffer<hg_pair> by_slot_;

@@ -74,6 +74,31 @@ hg_status hg_move(hg_grid *grid, size_t count, const double *centers, const doub
   });
 }
 
+hg_status hg_set(hg_grid *grid, size_t count, const double *centers, const double *radii) {
+  return on_grid(grid, {}, [&](Grid &g) {
+    const Aligned<double> x(g, "centers", centers, count, g.dimension()), r(g, "radii", radii, count);
+    g.set(count, x.get(), r.get());
+  });
+}
+
+hg_status hg_set_arrays(hg_grid *grid, size_t count, const hg_array *centers, const hg_array *radius) {
+  return on_grid(grid, {}, [&](Grid &g) {
+    if (count > 0) check_pointer(radius, "radius");
+    g.set_arrays(count, centers, radius);
+  });
+}
+
+hg_status hg_insert_arrays(hg_grid *grid, size_t count, const hg_array *centers, const hg_array *radius) {
+  return on_grid(grid, {}, [&](Grid &g) {
+    if (count > 0) check_pointer(radius, "radius");
+    g.insert_arrays(count, centers, radius);
+  });
+}
+
+hg_status hg_move_arrays(hg_grid *grid, size_t count, const hg_array *centers, const hg_array *radius) {
+  return on_grid(grid, {}, [&](Grid &g) { g.move_arrays(count, centers, radius); });
+}
+
 hg_status hg_remove(hg_grid *grid, size_t count, const int32_t *ids) {
   return on_grid(grid, {}, [&](Grid &g) { g.remove(count, Aligned<int32_t>(g, "ids", ids, count).get()); });
 }
@@ -99,6 +124,30 @@ hg_status hg_query_pairs(hg_grid *grid, const hg_pair **pairs, size_t *count) {
 
 hg_status hg_visit_pairs(hg_grid *grid, hg_pair_visitor *visit, void *context) {
   return on_grid(grid, {{visit, "visit"}}, [&](Grid &g) { g.visit_pairs(visit, context); });
+}
+
+hg_status hg_query_pair_vectors(hg_grid *grid, const double **vectors, const int32_t **shifts) {
+  return on_grid(grid, {}, [&](Grid &g) { g.query_pair_vectors(vectors, shifts); });
+}
+
+hg_status hg_copy_pairs(hg_grid *grid, size_t capacity, int32_t *a, int32_t *b, size_t *count) {
+  return on_grid(grid, {{count, "count"}}, [&](Grid &g) { g.copy_pairs(capacity, a, b, count); });
+}
+
+hg_status hg_visit_contacts(hg_grid *grid, hg_contact_visitor *visit, void *context) {
+  return on_grid(grid, {{visit, "visit"}}, [&](Grid &g) { g.visit_contacts(visit, context); });
+}
+
+hg_status hg_query_order(hg_grid *grid, const int32_t **ids, size_t *count) {
+  return on_grid(grid, {{ids, "ids"}, {count, "count"}}, [&](Grid &g) { g.query_order(ids, count); });
+}
+
+hg_status hg_overlap(hg_grid *grid, const double *center_a, double radius_a, const double *center_b, double radius_b,
+                     int32_t *overlaps) {
+  return on_grid(grid, {{center_a, "center_a"}, {center_b, "center_b"}, {overlaps, "overlaps"}}, [&](Grid &g) {
+    const Aligned<double> a(g, "center_a", center_a, 1, g.dimension()), b(g, "center_b", center_b, 1, g.dimension());
+    *overlaps = g.overlaps({a.get(), radius_a}, {b.get(), radius_b}) ? 1 : 0;
+  });
 }
 
 hg_status hg_query_neighbors(hg_grid *grid, int32_t list, const int64_t **offsets, const int32_t **neighbors) {

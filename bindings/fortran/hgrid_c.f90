@@ -11,6 +11,7 @@ module hgrid_c
     use hgrid_history
     use hgrid_particles
     use hgrid_queries
+    use hgrid_sets
     use hgrid_types
     use hgrid_visit
     implicit none

@@ -11,7 +11,8 @@ module hgrid_types
     implicit none
     private
 
-    public :: hg_allocator, hg_grid_def, hg_grid_stats, hg_level, hg_level_cost, hg_pair
+    public :: hg_allocator, hg_array, hg_contact_batch, hg_grid_def, hg_grid_stats, hg_level
+    public :: hg_level_cost, hg_pair
     public :: c_hg_grid_def_init, c_hg_last_error, c_hg_set_allocator, c_hg_status_string
     public :: c_hg_version
 
@@ -56,6 +57,13 @@ module hgrid_types
 
     !> The most levels that a grid can have.
     integer(c_int32_t), parameter, public :: HG_MAX_LEVELS = 64
+
+    !> hg_array%type: the numbers of an array.
+    integer(c_int32_t), parameter, public :: HG_REAL64 = 0
+    integer(c_int32_t), parameter, public :: HG_REAL32 = 1
+
+    !> The most contacts in a batch.
+    integer(c_int32_t), parameter, public :: HG_MAX_BATCH = 1024
 
     !> Two particles that interact, by their ids; a < b, or with HG_ALL_IMAGES a <= b.
     type, bind(c) :: hg_pair
@@ -123,6 +131,25 @@ module hgrid_types
         integer(c_int64_t) :: filter_count = 0
         integer(c_int64_t) :: stored_count = 0
     end type hg_grid_stats
+
+    !> One number of each particle, wherever it lies: stride bytes from one to the next.
+    type, bind(c) :: hg_array
+        type(c_ptr) :: data = c_null_ptr
+        integer(c_int64_t) :: stride = 0
+        integer(c_int32_t) :: type = HG_REAL64
+        integer(c_int32_t) :: reserved = 0
+    end type hg_array
+
+    !> Contacts with their geometry: arrays of count numbers each; dz is null in 2D.
+    type, bind(c) :: hg_contact_batch
+        integer(c_size_t) :: count = 0
+        type(c_ptr) :: a = c_null_ptr
+        type(c_ptr) :: b = c_null_ptr
+        type(c_ptr) :: dx = c_null_ptr
+        type(c_ptr) :: dy = c_null_ptr
+        type(c_ptr) :: dz = c_null_ptr
+        type(c_ptr) :: reach = c_null_ptr
+    end type hg_contact_batch
 
     !> Where grids take their memory from: C functions as described in hgrid/base.h.
     type, bind(c) :: hg_allocator

@@ -63,6 +63,8 @@ typedef struct hg_history {
 %ignore hg_set_allocator;
 %ignore hg_allocator;
 %ignore hg_pair;
+%ignore hg_array;
+%ignore hg_contact_batch;
 
 %apply int *OUTPUT { int *major, int *minor, int *patch };
 %apply Pointer NONNULL { const hg_grid_def *def };
@@ -79,6 +81,14 @@ static hg_status hg_make(const hg_grid_def *def, size_t count, const double *cel
   return hg_create(&whole, grid);
 }
 %}
+
+/* Arrays of the language are gathered before they come here, and pairs travel as one array. */
+%ignore hg_set_arrays;
+%ignore hg_insert_arrays;
+%ignore hg_move_arrays;
+%ignore hg_copy_pairs;
+
+%apply int *OUTPUT { int32_t *overlaps };
 
 /* Data of contacts are arrays of the language, which gathers them by itself. */
 %ignore hg_history_carry;

@@ -72,6 +72,18 @@
   %append_output(hgrid_lend(ids$argnum, (size_t)offsets$argnum[rows$argnum], "i", 1));
 }
 
+/* Vectors of pairs out, flat. C does not tell how many numbers there are: the package does. */
+%typemap(in) (const double **vectors, const int32_t **shifts) (const double *vectors = NULL, const int32_t *shifts = NULL, size_t numbers) {
+  numbers = PyLong_AsSize_t($input);
+  if (PyErr_Occurred()) SWIG_fail;
+  $1 = ($1_ltype)&vectors;
+  $2 = ($2_ltype)&shifts;
+}
+%typemap(argout) (const double **vectors, const int32_t **shifts) {
+  %append_output(hgrid_lend(vectors$argnum, numbers$argnum, "d", 1));
+  %append_output(hgrid_lend(shifts$argnum, numbers$argnum, "i", 1));
+}
+
 /* A list in, and one number for each of its pairs out. */
 %typemap(arginit) (size_t count, const hg_pair *pairs, const int64_t **) { view$argnum.obj = NULL; }
 %typemap(in) (size_t count, const hg_pair *pairs, const int64_t **) (Py_buffer view, const int64_t *places = NULL) {
@@ -113,16 +125,20 @@
 }
 
 /* A visitor is any callable. An exception that it raises ends the visit and passes on to the caller. */
-%typemap(in) (hg_pair_visitor *visit, void *context) {
-  $1 = hgrid_visit;
+%define %hgrid_visitor(TYPE, FORWARD)
+%typemap(in) (TYPE *visit, void *context) {
+  $1 = FORWARD;
   $2 = $input;
 }
-%typemap(argout) (hg_pair_visitor *visit, void *context) {
+%typemap(argout) (TYPE *visit, void *context) {
   if (PyErr_Occurred()) {
     Py_CLEAR($result);
     SWIG_fail;
   }
 }
+%enddef
+%hgrid_visitor(hg_pair_visitor, hgrid_visit)
+%hgrid_visitor(hg_contact_visitor, hgrid_visit_contacts)
 
 /* For what follows: calls run without the interpreter lock. Those that read arrays of the caller keep it: another Python thread
  * could otherwise change the numbers between their check and their use. */

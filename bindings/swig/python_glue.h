@@ -103,14 +103,40 @@ static void hgrid_raise(hg_status status) {
   Py_XDECREF(text);
 }
 
-/* Hands a batch to the Python callable in `context`. A raised exception stays set and stops the visit. */
-static int32_t hgrid_visit(void *context, const hg_pair *pairs, size_t count) {
-  PyGILState_STATE lock = PyGILState_Ensure();
-  PyObject *batch = hgrid_lend(pairs, count, "i", 2);
+/* Hands a batch, which it takes over, to the Python callable in `context`. Nonzero: the visit is to stop. */
+static int32_t hgrid_hand_over(void *context, PyObject *batch) {
   PyObject *answer = batch == NULL ? NULL : PyObject_CallFunctionObjArgs((PyObject *)context, batch, NULL);
   int stop = answer == NULL || PyObject_IsTrue(answer) != 0;
   Py_XDECREF(answer);
   Py_XDECREF(batch);
+  return stop;
+}
+
+/* The visitors. A raised exception stays set and stops the visit. */
+static int32_t hgrid_visit(void *context, const hg_pair *pairs, size_t count) {
+  PyGILState_STATE lock = PyGILState_Ensure();
+  int32_t stop = hgrid_hand_over(context, hgrid_lend(pairs, count, "i", 2));
+  PyGILState_Release(lock);
+  return stop;
+}
+
+/* The batch is a list: both ids, the components of the vectors, and the reach. */
+static int32_t hgrid_visit_contacts(void *context, const hg_contact_batch *batch) {
+  PyGILState_STATE lock = PyGILState_Ensure();
+  const double *numbers[4];
+  PyObject *list = PyList_New(0);
+  int32_t stop;
+  size_t k;
+  numbers[0] = batch->dx;
+  numbers[1] = batch->dy;
+  numbers[2] = batch->dz;
+  numbers[3] = batch->reach;
+  if (list != NULL) list = hgrid_append(list, hgrid_lend(batch->a, batch->count, "i", 1));
+  if (list != NULL) list = hgrid_append(list, hgrid_lend(batch->b, batch->count, "i", 1));
+  for (k = 0; list != NULL && k < 4; ++k) {
+    if (numbers[k] != NULL) list = hgrid_append(list, hgrid_lend(numbers[k], batch->count, "d", 1));
+  }
+  stop = hgrid_hand_over(context, list);
   PyGILState_Release(lock);
   return stop;
 }

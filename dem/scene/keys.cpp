@@ -29,6 +29,7 @@ std::vector<Key> with_size_laws(const std::vector<Key> &others) {
     keys.push_back({"particles.pack", parameter->name, parameter->is_whole ? Kind::kCount : Kind::kNumber, kPure,
                     kept(packing::usual_values(*parameter)), kept(packing::describe(*parameter))});
   }
+  keys.push_back({"particles.pack", "sizes", Kind::kText, kPure, "needed for table", packing::kSizesMeaning});
   keys.insert(keys.end(), others.begin(), others.end());
   return keys;
 }
@@ -85,7 +86,7 @@ const std::vector<Key> &all_keys() {
         "a particle file, relative to the scene's folder; velocities and spins in it count"},
        {"particles", "at", Kind::kList, kLength, "none", "centres, a list of vectors"},
        {"particles", "radius", Kind::kNumber, kLength, "needed for at and lattice",
-        "of all particles of the group; of the smallest particle of a pack (1)"},
+        "of all particles of the group; of the smallest particle of a pack (1; table: as in it)"},
        {"particles", "density", Kind::kNumber, kDensity, "1", "of the material; per area in two dimensions (kg/m^2)"},
        {"particles", "velocity", Kind::kVector, kVelocity, "0",
         "of all particles of the group; added to those of a file"},

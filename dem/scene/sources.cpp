@@ -28,7 +28,18 @@ particles::ParticleSet grow(const packing::Request &request) {
   return std::move(packing.particles);
 }
 
-packing::SizeLaw read_law(const Table &table, int dimension) {
+void read_sizes(const Table &table, const std::string &folder, packing::SizeLaw &law) {
+  if (!table.has("sizes")) return;
+  std::string fault;
+  try {
+    fault = packing::set_sizes(law, (std::filesystem::path(folder) / table.text("sizes", "")).string());
+  } catch (const particles::Error &error) {
+    fault = error.what();
+  }
+  if (!fault.empty()) table.fail("sizes", fault);
+}
+
+packing::SizeLaw read_law(const Table &table, const std::string &folder, int dimension) {
   packing::SizeLaw law = packing::usual_law(table.choice("law", particles::names_of(packing::size_laws())));
   law.dimension = dimension;
   for (const packing::LawParameter *parameter : packing::law_parameters()) {
@@ -36,12 +47,14 @@ packing::SizeLaw read_law(const Table &table, int dimension) {
     const std::string fault = packing::set_parameter(law, *parameter, table.number(parameter->name));
     if (!fault.empty()) table.fail(parameter->name, fault);
   }
+  read_sizes(table, folder, law);
   return law;
 }
 
-particles::ParticleSet read_pack(const Table &group, const Table &table, const dem::Setup &setup) {
+particles::ParticleSet read_pack(const Table &group, const Table &table, const std::string &folder,
+                                 const dem::Setup &setup) {
   packing::Request request;
-  request.law = read_law(table, setup.dimension);
+  request.law = read_law(table, folder, setup.dimension);
   request.count = static_cast<size_t>(table.count("count"));
   request.density = table.number("fraction");
   request.seed = table.count("seed", 1);
@@ -55,11 +68,9 @@ particles::ParticleSet read_pack(const Table &group, const Table &table, const d
   } catch (const std::exception &error) {
     group.fail("pack", particles::message_of(error));
   }
-  const double scale = group.number("radius", 1);
-  if (!(scale > 0)) group.fail("radius", "is not above 0");
-  for (double &x : set.centers) x *= scale;
-  for (double &r : set.radii) r *= scale;
-  for (double &x : set.box_max) x *= scale;
+  const double first = packing::first_radius(request.law), radius = group.number("radius", first);
+  if (!(radius > 0)) group.fail("radius", "is not above 0");
+  packing::scale(set, radius / first);
   return set;
 }
 
@@ -147,7 +158,7 @@ particles::ParticleSet read_source(const Table &table, const std::string &folder
   int sources = 0;
   for (const char *name : {"file", "pack", "lattice", "at"}) sources += table.has(name) ? 1 : 0;
   if (sources != 1) table.fail("file", "each [[particles]] names one source of file, pack, lattice and at");
-  if (const auto pack = table.part("pack")) return read_pack(table, *pack, setup);
+  if (const auto pack = table.part("pack")) return read_pack(table, *pack, folder, setup);
   if (const auto lattice = table.part("lattice")) return read_lattice(table, *lattice, setup);
   if (table.has("at")) return read_list(table, setup);
   return read_file(table, folder, setup);

@@ -6,10 +6,10 @@
  * Ownership: the library copies what it is given and keeps no pointer of the caller. What queries return belongs to the
  * grid and is borrowed: valid until the next call on that grid that changes it or asks for the same kind of result.
  * Threads: different grids are independent. On one grid, queries from several threads are safe once hg_build has
- * returned; hg_insert, hg_move, hg_remove, hg_clear, hg_set_box, hg_build and hg_destroy need the grid for themselves.
- * Errors: a call that fails has changed nothing. Any call on a NULL grid gives HG_ERR_NULL; any call on a grid from
- * inside one of its own visitors gives HG_ERR_STATE; any call that needs memory may give HG_ERR_MEMORY.
- * N is the number of particles, P that of pairs. Lengths are in the caller's unit. */
+ * returned; hg_set, hg_insert, hg_move, their forms with arrays, hg_remove, hg_clear, hg_set_box, hg_build and
+ * hg_destroy need the grid for themselves. Errors: a call that fails has changed nothing. Any call on a NULL grid gives
+ * HG_ERR_NULL; any call on a grid from inside one of its own visitors gives HG_ERR_STATE; any call that needs memory
+ * may give HG_ERR_MEMORY. N is the number of particles, P that of pairs. Lengths are in the caller's unit. */
 #ifndef HGRID_GRID_H
 #define HGRID_GRID_H
 
@@ -54,6 +54,19 @@ HG_API hg_status hg_remove(hg_grid *grid, size_t count, const int32_t *ids);
 /* Removes all particles; ids start anew at index_base. Memory is kept for what comes next. */
 HG_API hg_status hg_clear(hg_grid *grid);
 
+/* Makes the grid hold exactly these particles: row k has the id index_base + k, whatever the grid held before. Any
+ * count in every step; where count and radii are as before, stored candidates of a skin stay in use, as with hg_move.
+ * Arrays and errors as hg_insert. All or nothing. Complexity: O(count); allocates only to grow. */
+HG_API hg_status hg_set(hg_grid *grid, size_t count, const double *centers, const double *radii);
+
+/* hg_set, hg_insert and hg_move of numbers that lie elsewhere than in two arrays of doubles. centers: [dimension], one
+ * array for each axis; radius: one. Errors name bad numbers as centers[row][axis] and radii[row]. Errors besides:
+ * HG_ERR_ARGUMENT: a type or a reserved that is none. */
+HG_API hg_status hg_set_arrays(hg_grid *grid, size_t count, const hg_array *centers, const hg_array *radius);
+HG_API hg_status hg_insert_arrays(hg_grid *grid, size_t count, const hg_array *centers, const hg_array *radius);
+HG_API hg_status hg_move_arrays(hg_grid *grid, size_t count, const hg_array *centers,
+                                const hg_array *radius /* NULL: unchanged */);
+
 /* Gives a periodic grid a new box (barostats, shear, deformation); particles stay where they are. Of open axes nothing
  * is read. box_min, box_max: [3], also in 2D; tilt: [3] as in hg_grid_def, NULL: 0, 0, 0. With a skin, stored
  * candidates stay in use while the deformation leaves them valid. Sheared walls that slide (Lees-Edwards) are a tilt
@@ -72,6 +85,22 @@ HG_API hg_status hg_build(hg_grid *grid);
  * With def.skin, stored candidates are filtered while they hold; the pairs are the same.
  * Complexity: O(N + P) for any sizes when the levels suit them. */
 HG_API hg_status hg_query_pairs(hg_grid *grid, const hg_pair **pairs, size_t *count);
+
+/* What leads from a to b in each pair of hg_query_pairs, in its order; either may be NULL. vectors: [pairs][dimension],
+ * x_b - x_a and the shift of the image that a meets, rounded once from the exact value: the same bits for any history
+ * of the grid, number of threads and machine. shifts: [pairs][dimension], whole edges a, b, c of the periodic cell from
+ * the places as given. *vectors and *shifts are NULL only without pairs. Complexity: as hg_query_pairs, and O(P). */
+HG_API hg_status hg_query_pair_vectors(hg_grid *grid, const double **vectors, const int32_t **shifts);
+
+/* The pairs of hg_query_pairs into arrays of the caller's, a[capacity] and b[capacity]. *count becomes their number. If
+ * they are more than capacity: HG_ERR_CAPACITY, and the arrays are not touched; NULL and 0 ask for the number. */
+HG_API hg_status hg_copy_pairs(hg_grid *grid, size_t capacity, int32_t *a, int32_t *b, size_t *count);
+
+/* Hands all pairs with their geometry to `visit`, in batches of at most HG_MAX_BATCH, in the order of def.pair_order,
+ * from stored candidates while a skin lets them hold: what a loop over forces wants. The rest as hg_visit_pairs; but
+ * with HG_ALL_IMAGES, in a cell where two particles can meet twice, the lists of hg_query_pair_vectors are made first.
+ */
+HG_API hg_status hg_visit_contacts(hg_grid *grid, hg_contact_visitor *visit, void *context);
 
 /* Hands all pairs to `visit` in batches. With HG_ORDER_GRID and no skin nothing is stored: memory stays bounded
  * whatever P. A visitor that returns nonzero ends the visit; the call still returns HG_OK. The visitor runs on the
@@ -92,6 +121,16 @@ HG_API hg_status hg_query_neighbors(hg_grid *grid, int32_t list, const int64_t *
  * Errors: HG_ERR_NULL, HG_ERR_ARGUMENT. Complexity: O(cells met + particles met + hits log hits). */
 HG_API hg_status hg_query_sphere(hg_grid *grid, const double *center, double radius, const int32_t **ids,
                                  size_t *count);
+
+/* Whether two spheres interact that the grid need not hold, by its own rule as in hg_query_sphere: *overlaps is 1 or 0.
+ * Errors: HG_ERR_NULL, HG_ERR_ARGUMENT; HG_ERR_LIMIT if they reach across too many tilted cells. */
+HG_API hg_status hg_overlap(hg_grid *grid, const double *center_a, double radius_a, const double *center_b,
+                            double radius_b, int32_t *overlaps);
+
+/* The ids of all particles in an order in which near ones stand together (a Morton curve). A host that sorts its arrays
+ * by it now and then runs faster, and so does the grid. Complexity: O(N log N), nothing if the grid has not changed
+ * since. */
+HG_API hg_status hg_query_order(hg_grid *grid, const int32_t **ids, size_t *count);
 
 /* The levels of the grid, finest first (the grid is built if it must be). Levels may be empty with HG_LEVELS_USER. */
 HG_API hg_status hg_query_levels(hg_grid *grid, const hg_level **levels, size_t *count);

@@ -70,6 +70,12 @@ struct Rows {
   }
 };
 
+// What leads from a to b in each pair, and through which image: as many numbers for each as the grid has dimensions.
+struct PairVectors {
+  View<double> vectors;
+  View<int32_t> shifts;
+};
+
 namespace detail {
 
 template <class Handle, void (*destroy)(Handle *)>
@@ -145,6 +151,16 @@ class Grid {
   void move(size_t count, const double *centers, const double *radii = nullptr) {
     check(hg_move(get(), count, centers, radii));
   }
+  void set(size_t count, const double *centers, const double *radii) { check(hg_set(get(), count, centers, radii)); }
+  void insert_arrays(size_t count, const hg_array *centers, const hg_array *radius) {
+    check(hg_insert_arrays(get(), count, centers, radius));
+  }
+  void move_arrays(size_t count, const hg_array *centers, const hg_array *radius = nullptr) {
+    check(hg_move_arrays(get(), count, centers, radius));
+  }
+  void set_arrays(size_t count, const hg_array *centers, const hg_array *radius) {
+    check(hg_set_arrays(get(), count, centers, radius));
+  }
   void remove(size_t count, const int32_t *ids) { check(hg_remove(get(), count, ids)); }
   void clear() { check(hg_clear(get())); }
   void set_box(const double *box_min, const double *box_max, const double *tilt = nullptr) {
@@ -153,6 +169,21 @@ class Grid {
   void build() { check(hg_build(get())); }
 
   View<hg_pair> query_pairs() const { return detail::lent<hg_pair>(hg_query_pairs, get()); }
+  PairVectors query_pair_vectors() const {
+    const double *vectors = nullptr;
+    const int32_t *shifts = nullptr;
+    check(hg_query_pair_vectors(get(), &vectors, &shifts));
+    const size_t numbers = query_pairs().size() * dimension_;
+    return {{vectors, numbers}, {shifts, numbers}};
+  }
+  // Returns the number of pairs. *count, if given, becomes it also where HG_ERR_CAPACITY is thrown.
+  size_t copy_pairs(size_t capacity, int32_t *a, int32_t *b, size_t *count = nullptr) const {
+    size_t pairs = 0;
+    const hg_status status = hg_copy_pairs(get(), capacity, a, b, &pairs);
+    if (count != nullptr && (status == HG_OK || status == HG_ERR_CAPACITY)) *count = pairs;
+    check(status);
+    return pairs;
+  }
   // `visit` is any callable that takes a batch, as View<hg_pair> or as (const hg_pair *pairs, size_t count). It returns
   // nothing, or what is true to end the visit; what it throws also ends it, and is thrown from here.
   template <class Visit>
@@ -165,11 +196,26 @@ class Grid {
     }
   }
   void visit_pairs(hg_pair_visitor *visit, void *context) const { check(hg_visit_pairs(get(), visit, context)); }
+  // The same with a callable that takes a const hg_contact_batch &.
+  template <class Visit>
+  void visit_contacts(Visit &&visit) const {
+    const auto batch = [&](const hg_contact_batch *contacts) { return visit(*contacts); };
+    detail::visit_with(batch, hg_visit_contacts, get());
+  }
+  void visit_contacts(hg_contact_visitor *visit, void *context) const {
+    check(hg_visit_contacts(get(), visit, context));
+  }
   Rows query_neighbors(int32_t list) const {
     return detail::lent_rows(static_cast<size_t>(get_stats().particle_count), hg_query_neighbors, get(), list);
   }
   View<int32_t> query_sphere(const double *center, double radius) const {
     return detail::lent<int32_t>(hg_query_sphere, get(), center, radius);
+  }
+  View<int32_t> query_order() const { return detail::lent<int32_t>(hg_query_order, get()); }
+  bool overlap(const double *center_a, double radius_a, const double *center_b, double radius_b) const {
+    int32_t overlaps = 0;
+    check(hg_overlap(get(), center_a, radius_a, center_b, radius_b, &overlaps));
+    return overlaps != 0;
   }
   View<hg_level> query_levels() const { return detail::lent<hg_level>(hg_query_levels, get()); }
   View<hg_level_cost> query_level_costs() const { return detail::lent<hg_level_cost>(hg_query_level_costs, get()); }
@@ -180,13 +226,14 @@ class Grid {
   }
 
  private:
-  explicit Grid(const hg_grid_def *def) {
+  explicit Grid(const hg_grid_def *def) : dimension_(def != nullptr ? static_cast<size_t>(def->dimension) : 3) {
     hg_grid *created = nullptr;
     check(hg_create(def, &created));
     handle_.reset(created);
   }
 
   std::unique_ptr<hg_grid, detail::Destroy<hg_grid, hg_destroy>> handle_;
+  size_t dimension_;
 };
 
 class History {

@@ -53,6 +53,20 @@ enum {
 
 enum { HG_MAX_LEVELS = 64 }; /* the most levels a grid can have */
 
+/* hg_array.type: the numbers of an array. */
+enum {
+  HG_REAL64 = 0, /* double */
+  HG_REAL32 = 1  /* float, widened to double exactly */
+};
+
+/* One number of each particle, wherever the caller keeps it: a column of its own, or a member of its structs. */
+typedef struct hg_array {
+  const void *data; /* that of the first particle; of any alignment */
+  int64_t stride;   /* bytes from a particle to the next; may be negative, or 0 if all share one number */
+  int32_t type;     /* HG_REAL64 or HG_REAL32 */
+  int32_t reserved; /* 0 */
+} hg_array;
+
 /* Two particles that interact, by their ids; a < b. With HG_ALL_IMAGES a == b is a particle and an image of itself. */
 typedef struct hg_pair {
   int32_t a, b;
@@ -84,8 +98,9 @@ typedef struct hg_grid_def {
   double box_max[3];    /* box_max > box_min only states the volume that the choice of levels assumes (0) */
   double cell_overhead; /* K of Eq. 7: cost of visiting a cell over cost of testing a particle, >= 0 and finite;
                            negative = 0.3 for PAPER; AUTO: takes the two prices below instead (-1) */
-  /* AUTO: what work costs, in units of testing one candidate; finite, negative = fitted on several machines' kernels;
-     `hgrid calibrate` measures them. They change the levels and with them the time, never the pairs. */
+  /* AUTO: what work costs, in units of testing one candidate; finite, negative = fitted on several machines, by the
+     number of particles; `hgrid calibrate` measures them. They change the levels and with them the time, never the
+     pairs. */
   double level_price; /* one more level, per particle (-1) */
   double row_price;   /* looking at a row of a finer level (-1) */
   /* Periodic cells need not be right-angled: their edges are a = (lx, 0, 0), b = (xy, ly, 0) and c = (xz, yz, lz) with
@@ -135,6 +150,21 @@ typedef struct hg_grid_stats {
 
 /* Receives pairs in batches. `pairs` is valid during the call only. Return 0 to go on, anything else to stop. */
 typedef int32_t hg_pair_visitor(void *context, const hg_pair *pairs, size_t count);
+
+/* The most contacts in a batch. */
+enum { HG_MAX_BATCH = 1024 };
+
+/* Contacts with their geometry: `count` entries in each array, 1 to HG_MAX_BATCH. (dx, dy, dz) leads from a to the
+ * image of b that it meets, each component rounded once from the exact value; dz is NULL in 2D. reach: r_a + r_b +
+ * margin, or the larger radius + margin. */
+typedef struct hg_contact_batch {
+  size_t count;
+  const int32_t *a, *b;
+  const double *dx, *dy, *dz, *reach;
+} hg_contact_batch;
+
+/* Receives contacts in batches. `batch` is valid during the call only. Return 0 to go on, anything else to stop. */
+typedef int32_t hg_contact_visitor(void *context, const hg_contact_batch *batch);
 
 /* Fills `def` with the defaults (in brackets above). `struct_size` is sizeof(hg_grid_def) as the caller compiled it.
  * Errors: HG_ERR_NULL; HG_ERR_ARGUMENT if struct_size is smaller than that of version 0.1 or larger than this

@@ -28,6 +28,25 @@ size_t skip_blanks(std::string_view line, size_t first) {
 
 }  // namespace
 
+std::vector<std::string_view> fields_of(std::string_view line, char separator) {
+  if (separator == kBlanks) return split_words(line);
+  std::vector<std::string_view> fields;
+  for (size_t first = 0; first <= line.size();) {
+    const size_t last = field_end(line, first, separator);
+    fields.push_back(trimmed(line.substr(first, last - first)));
+    first = last + 1;
+  }
+  return fields;
+}
+
+double number_in(const LineCursor &cursor, const Columns &columns, std::string_view field, int column) {
+  double value = 0;
+  const std::string_view text = columns.separator == kBlanks ? field : trimmed(field);
+  if (const char *fault = number_fault(text, value))
+    cursor.fail(in_quotes(text) + " in column " + in_quotes(columns.names[static_cast<size_t>(column)]) + " " + fault);
+  return value;
+}
+
 int find_column(const LineCursor &cursor, const Columns &columns, std::string_view name) {
   for (const bool any_case : {false, true}) {
     int found = -1;
@@ -198,7 +217,7 @@ void RowReader::append_further(const std::string_view (&fields)[kSlots]) {
     std::vector<double> &values = particles_.columns[place++].values;
     for (int axis = 0; axis < 3; axis++) {
       const int column = columns_.motion[kind][axis];
-      values.push_back(column < 0 ? 0 : number(fields[kVelocity + 3 * kind + axis], column));
+      values.push_back(column < 0 ? 0 : number_in(cursor_, columns_, fields[kVelocity + 3 * kind + axis], column));
     }
   }
 }
@@ -219,17 +238,8 @@ size_t RowReader::split(std::string_view line, std::string_view (&fields)[kSlots
   return count;
 }
 
-double RowReader::number(std::string_view field, int column) const {
-  double value = 0;
-  const std::string_view text = columns_.separator == kBlanks ? field : trimmed(field);
-  if (const char *fault = number_fault(text, value))
-    cursor_.fail(in_quotes(text) + " in column " + in_quotes(columns_.names[static_cast<size_t>(column)]) + " " +
-                 fault);
-  return value;
-}
-
 double RowReader::size(std::string_view field, int column) const {
-  const double value = number(field, column);
+  const double value = number_in(cursor_, columns_, field, column);
   if (value < 0)
     cursor_.fail(in_quotes(trimmed(field)) + " in column " + in_quotes(columns_.names[static_cast<size_t>(column)]) +
                  " is negative");
@@ -272,7 +282,7 @@ double RowReader::place(const double (&values)[3], int axis) const {
 void RowReader::append_center(const std::string_view (&fields)[kSlots]) {
   double values[3] = {0, 0, 0};
   for (int axis = 0; axis < 3; axis++)
-    if (columns_.axis[axis] >= 0) values[axis] = number(fields[axis], columns_.axis[axis]);
+    if (columns_.axis[axis] >= 0) values[axis] = number_in(cursor_, columns_, fields[axis], columns_.axis[axis]);
   for (int axis = 0; axis < particles_.dimension; axis++) particles_.centers.push_back(place(values, axis));
   if (particles_.dimension == 3 || columns_.axis[2] < 0) return;
   const double z = place(values, kZ);

@@ -33,6 +33,12 @@ struct Columns {
   size_t most_rows(size_t bytes) const { return bytes / (2 * names.size()) + 1; }
 };
 
+// The fields between separators, without blanks around them.
+std::vector<std::string_view> fields_of(std::string_view line, char separator);
+
+// Reads the number in a field of a column. Fails naming both if it is none.
+double number_in(const LineCursor &cursor, const Columns &columns, std::string_view field, int column);
+
 // The names of the columns are those asked for (ReadOptions::header), if any. Fails if they are of another number.
 void rename_columns(const LineCursor &cursor, Columns &columns, const ReadOptions &options);
 
@@ -64,7 +70,6 @@ class RowReader {
   enum Slot { kX, kY, kZ, kSize, kDiameter, kType, kId, kVelocity, kSpin = kVelocity + 3, kSlots = kSpin + 3, kUnused };
 
   size_t split(std::string_view line, std::string_view (&fields)[kSlots]) const;
-  double number(std::string_view field, int column) const;
   double size(std::string_view field, int column) const;
   double radius(const std::string_view (&fields)[kSlots]) const;
   double radius_of_type(std::string_view type) const;

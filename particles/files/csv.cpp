@@ -6,6 +6,7 @@
 // Lines that begin with '#' are comments; the one that the writer leaves ("# box: ...") sets the box.
 #include "particles/error.hpp"
 #include "particles/files/columns.hpp"
+#include "particles/files/header.hpp"
 #include "particles/files/reader.hpp"
 #include "particles/text/number.hpp"
 #include "particles/text/output.hpp"
@@ -21,83 +22,9 @@ namespace {
 // tilted "tilt" and xy, xz, yz.
 constexpr char kBoxComment[] = "# box:";
 
-char separator_of(std::string_view header) {
-  for (const char letter : {',', ';', '\t'})
-    if (header.find(letter) != std::string_view::npos) return letter;
-  return kBlanks;
-}
+bool names_axes(const std::vector<std::string> &names) { return has_name(names, {"x"}) && has_name(names, {"y"}); }
 
-std::vector<std::string> column_names(std::string_view header, char separator) {
-  std::vector<std::string> names;
-  if (separator == kBlanks) {
-    for (const std::string_view word : split_words(header)) names.emplace_back(without_quotes(word));
-    return names;
-  }
-  for (size_t first = 0; first <= header.size();) {
-    const size_t last = std::min(header.find(separator, first), header.size());
-    names.emplace_back(without_quotes(trimmed(header.substr(first, last - first))));
-    first = last + 1;
-  }
-  return names;
-}
-
-bool names_axes(const std::vector<std::string> &names) {
-  const auto has = [&](const char *axis) {
-    return std::any_of(names.begin(), names.end(), [&](const std::string &name) { return lower_case(name) == axis; });
-  };
-  return has("x") && has("y");
-}
-
-// Whether a line with these fields is one of values.
-bool is_row(const std::vector<std::string> &fields) {
-  double value = 0;
-  return !names_axes(fields) && std::any_of(fields.begin(), fields.end(), [&](const std::string &field) {
-    return number_fault(field, value) == nullptr;
-  });
-}
-
-// The names in a comment before the rows, as numpy.savetxt ("# x y z r") and Yade ("#format x_y_z_r") leave them; empty
-// if they are none.
-std::vector<std::string> names_in_comment(std::string_view line) {
-  constexpr std::string_view kYade = "format ";
-  line = trimmed(line.substr(std::min(line.find_first_not_of('#'), line.size())));
-  const bool is_yade = line.substr(0, kYade.size()) == kYade;
-  if (is_yade) line = trimmed(line.substr(kYade.size()));
-  std::vector<std::string> names = column_names(line, is_yade ? '_' : separator_of(line));
-  if (!names_axes(names)) names.clear();
-  return names;
-}
-
-// Looks for the line that names the columns.
-class Header {
- public:
-  explicit Header(const ReadOptions &options) : asked_(!options.header.empty()) {}
-
-  void take_comment(std::string_view line) {
-    std::vector<std::string> names = names_in_comment(line);
-    if (names.empty()) return;
-    // Yade's last word stands for any number of attributes.
-    is_open_ = names.back() == "attrs";
-    comment_ = std::move(names);
-  }
-
-  // Takes the first line that is no comment. Whether it is already one of values.
-  bool take_line(const LineCursor &cursor, std::string_view line, Columns &columns) {
-    columns.separator = separator_of(line);
-    columns.names = column_names(line, columns.separator);
-    if (!is_row(columns.names)) return false;
-    if (asked_) return true;
-    if (is_open_ && comment_.size() < columns.names.size()) comment_.resize(columns.names.size());
-    if (comment_.size() != columns.names.size())
-      cursor.fail("the first line must name the columns (such as x,y,z,radius), but it holds " + in_quotes(line));
-    columns.names = comment_;
-    return true;
-  }
-
- private:
-  bool asked_, is_open_ = false;
-  std::vector<std::string> comment_;
-};
+Header header_of_particles(bool known) { return {"x,y,z,radius", names_axes, known}; }
 
 void find_columns(const LineCursor &cursor, const ReadOptions &options, Columns &columns) {
   rename_columns(cursor, columns, options);
@@ -145,13 +72,14 @@ void take_box(const LineCursor &cursor, std::string_view line, const ReadOptions
 }  // namespace
 
 bool names_columns(std::string_view text) {
+  Header header = header_of_particles(false);
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
     const std::string_view content = trimmed(line.substr(0, line.find_last_not_of('\r') + 1));
     const bool is_comment = !content.empty() && content.front() == '#';
-    if (is_comment && !names_in_comment(content).empty()) return true;
-    if (!content.empty() && !is_comment) return names_axes(column_names(content, separator_of(content)));
+    if (is_comment && header.take_comment(content)) return true;
+    if (!content.empty() && !is_comment) return names_axes(names_in_line(content));
   }
   return false;
 }
@@ -162,7 +90,7 @@ ParticleSet read_csv(const TextFile &file, const ReadOptions &options) {
   if (options.frame > 1)
     cursor.fail(0, "frame " + std::to_string(options.frame) + " of a CSV file, which has only one");
   Columns columns;
-  Header header(options);
+  Header header = header_of_particles(!options.header.empty());
   std::optional<RowReader> rows;
   std::string_view line;
   while (cursor.next(line)) {

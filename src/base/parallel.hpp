@@ -88,4 +88,11 @@ void parallel_for(int threads, size_t tasks, Body &&body) {
   for (size_t task = 0; task < tasks; task++) body(task, 0);
 }
 
+// Calls body(begin, end) for parts of [0, count) that do not depend on the number of threads.
+template <class Body>
+void each_part(int threads, size_t count, Body &&body) {
+  const size_t parts = parts_of(count);
+  parallel_for(threads, parts, [&](size_t part, int) { body(count * part / parts, count * (part + 1) / parts); });
+}
+
 }  // namespace hg

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <utility>
 
 namespace hg {
@@ -18,21 +17,27 @@ inline int bit_width(uint64_t n) { return n == 0 ? 0 : 64 - __builtin_clzll(n); 
 // that holds the sorted entries.
 template <class Entry, class Key>
 Entry *radix_sort(Entry *from, Entry *other, size_t count, int bits, Key &&key) {
-  constexpr int kDigit = 11, kMostDigits = 6;  // of 64 bits
-  const int digits = (bits + kDigit - 1) / kDigit;
-  uint32_t begin[kMostDigits][1 << kDigit];
-  for (int digit = 0; digit < digits; digit++) std::fill(std::begin(begin[digit]), std::end(begin[digit]), 0u);
+  constexpr size_t kMany = size_t{1} << 15;      // entries that are worth many counters
+  constexpr size_t kCounters = size_t{1} << 14;  // 64 kB
+  const bool few = count < kMany || sizeof(Entry) > sizeof(uint64_t) || bits > 48;
+  const int longest = few ? 11 : (bits > 26 ? 12 : 13);
+  const int digits = (bits + longest - 1) / longest, width = digits == 0 ? 0 : (bits + digits - 1) / digits;
+  uint32_t begin[kCounters];
+  std::fill(begin, begin + (static_cast<size_t>(digits) << width), 0u);
+  const size_t mask = (size_t{1} << width) - 1;
   const auto digit_of = [&](const Entry &entry, int digit) {
-    return static_cast<size_t>(uint64_t{key(entry)} >> (digit * kDigit)) & ((size_t{1} << kDigit) - 1);
+    return static_cast<size_t>(uint64_t{key(entry)} >> (digit * width)) & mask;
   };
   for (size_t i = 0; i < count; i++) {
-    for (int digit = 0; digit < digits; digit++) begin[digit][digit_of(from[i], digit)]++;
+    for (int digit = 0; digit < digits; digit++)
+      begin[(static_cast<size_t>(digit) << width) + digit_of(from[i], digit)]++;
   }
   for (int digit = 0; digit < digits; digit++) {
-    if (count == 0 || begin[digit][digit_of(from[0], digit)] == count) continue;  // all the same
+    uint32_t *of_digit = begin + (static_cast<size_t>(digit) << width);
+    if (count == 0 || of_digit[digit_of(from[0], digit)] == count) continue;  // all the same
     uint32_t sum = 0;
-    for (uint32_t &here : begin[digit]) sum += std::exchange(here, sum);
-    for (size_t i = 0; i < count; i++) other[begin[digit][digit_of(from[i], digit)]++] = from[i];
+    for (size_t n = 0; n <= mask; n++) sum += std::exchange(of_digit[n], sum);
+    for (size_t i = 0; i < count; i++) other[of_digit[digit_of(from[i], digit)]++] = from[i];
     std::swap(from, other);
   }
   return from;

@@ -52,7 +52,8 @@ inline constexpr int kTiltOf[3][3] = {{-1, -1, -1}, {0, -1, -1}, {1, 2, -1}};
 // the axes before it. `boxes` become their numbers. Lengths are 0 on open axes, which stay as they are.
 static inline void take_into_box(double *above, double *boxes, const double *length, const double *tilt,
                                  int dimension) {
-  for (int axis = dimension - 1; axis >= 0; axis--) {
+  for (int axis = 2; axis >= 0; axis--) {
+    if (axis >= dimension) continue;
     boxes[axis] = 0;
     if (!(length[axis] > 0)) continue;
     boxes[axis] = boxes_above(above[axis], length[axis]);
@@ -66,6 +67,13 @@ struct Shift {
   int32_t n[3] = {0, 0, 0};
   bool is_none() const { return n[0] == 0 && n[1] == 0 && n[2] == 0; }
 };
+// The last edge that is taken at all is taken forward.
+inline bool is_forward(const Shift &shift) {
+  for (int axis = 2; axis >= 0; axis--) {
+    if (shift.n[axis] != 0) return shift.n[axis] > 0;
+  }
+  return false;
+}
 inline Shift operator+(const Shift &s, const Shift &t) { return {{s.n[0] + t.n[0], s.n[1] + t.n[1], s.n[2] + t.n[2]}}; }
 inline Shift operator-(const Shift &s, const Shift &t) { return {{s.n[0] - t.n[0], s.n[1] - t.n[1], s.n[2] - t.n[2]}}; }
 
@@ -98,8 +106,8 @@ struct Domain {
       above[axis] = periodic[axis] ? center[axis] - box_min[axis] : 0;
       size[axis] = std::fabs(above[axis]);
     }
-    for (int axis = dimension - 1; axis >= 0; axis--) {
-      if (!periodic[axis]) continue;
+    for (int axis = 2; axis >= 0; axis--) {
+      if (axis >= dimension || !periodic[axis]) continue;
       const double boxes = boxes_above(above[axis], length[axis]);
       const double outside = is_tilted() ? size[axis] / length[axis] : std::fabs(boxes);
       if (!(outside <= most.boxes)) most = {axis, outside};

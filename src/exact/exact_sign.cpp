@@ -5,6 +5,7 @@
 #include "src/base/ordered_bits.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace hg {
@@ -92,7 +93,8 @@ void add_square(Limb *square, const Integer &value, int limbs) {
   }
 }
 
-Integer to_integer(const ExactSum &sum, int least_exponent, int limbs) {
+// `negative`: of the sum, if asked for.
+Integer to_integer(const ExactSum &sum, int least_exponent, int limbs, bool *negative = nullptr) {
   Integer integer;
   std::memset(integer.limb, 0, sizeof(Limb) * static_cast<size_t>(limbs));
   for (int k = 0; k < sum.count; k++) {
@@ -103,6 +105,7 @@ Integer to_integer(const ExactSum &sum, int least_exponent, int limbs) {
     integer.add(static_cast<WideLimb>(parts.mantissa) * size, parts.exponent - least_exponent,
                 parts.negative != (factor < 0), limbs);
   }
+  if (negative != nullptr) *negative = integer.limb[limbs - 1] >> 63 != 0;
   integer.make_positive(limbs);
   return integer;
 }
@@ -154,7 +157,44 @@ bool decide_in_words(const ExactSum *difference, int dimension, const ExactSum &
   return true;
 }
 
+int limbs_for(const ExponentRange &range) { return (range.greatest - range.least + 53 + 33 + 4) / 64 + 1; }
+
+// The highest bit that is set and the 63 below it; `more` if any other is set.
+Limb leading_bits(const Integer &integer, int limbs, int &highest, bool &more) {
+  int top = limbs - 1;
+  while (top > 0 && integer.limb[top] == 0) top--;
+  const int zeros = __builtin_clzll(integer.limb[top]);
+  highest = 64 * top + 63 - zeros;
+  const Limb below = top > 0 ? integer.limb[top - 1] : 0;
+  more = false;
+  for (int k = 0; k < top - 1; k++) more = more || integer.limb[k] != 0;
+  if (zeros == 0) {
+    more = more || below != 0;
+    return integer.limb[top];
+  }
+  more = more || below << zeros != 0;
+  return integer.limb[top] << zeros | below >> (64 - zeros);
+}
+
 }  // namespace
+
+double round_exactly(const ExactSum &sum) {
+  ExponentRange range;
+  range.include(sum);
+  if (range.greatest < range.least) return 0;  // every term is zero
+  const int limbs = limbs_for(range);
+  bool negative = false, more = false;
+  const Integer integer = to_integer(sum, range.least, limbs, &negative);
+  const bool is_zero = std::all_of(integer.limb, integer.limb + limbs, [](Limb limb) { return limb == 0; });
+  if (is_zero) return 0;
+  int highest = 0;
+  const Limb bits = leading_bits(integer, limbs, highest, more);
+  // 53 of 64 bits, to nearest. No number here has digits below the least subnormal one, so those never round.
+  const Limb kept = bits >> 11, rest = bits & 0x7ff, half = 0x400;
+  const bool up = rest > half || (rest == half && (more || (kept & 1) != 0));
+  const double size = std::ldexp(static_cast<double>(kept + (up ? 1 : 0)), range.least + highest - 52);
+  return negative ? -size : size;
+}
 
 int exact_order(const ExactSum *difference, int dimension, const ExactSum &reach) {
   ExponentRange range;
@@ -163,7 +203,7 @@ int exact_order(const ExactSum *difference, int dimension, const ExactSum &reach
   if (range.greatest < range.least) return 0;  // every term is zero
   int order = 0;
   if (decide_in_words(difference, dimension, reach, range, order)) return order;
-  const int limbs = (range.greatest - range.least + 53 + 33 + 4) / 64 + 1;
+  const int limbs = limbs_for(range);
 
   Limb left[2 * kMaxLimbs + 1], right[2 * kMaxLimbs + 1];
   const size_t size = sizeof(Limb) * static_cast<size_t>(2 * limbs + 1);

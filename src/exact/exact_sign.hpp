@@ -25,4 +25,7 @@ struct ExactSum {
 // The sign of the sum over axes of difference[axis]^2, less reach^2: -1, 0 or 1.
 int exact_order(const ExactSum *difference, int dimension, const ExactSum &reach);
 
+// The double that is nearest to the sum, of two the even one; infinite if it overflows.
+double round_exactly(const ExactSum &sum);
+
 }  // namespace hg

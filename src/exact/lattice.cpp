@@ -135,7 +135,7 @@ void add_shift(ExactSum &sum, const Domain &domain, int axis, const Shift &shift
     sum.add(domain.box_max[axis], times * shift.n[axis]);
     sum.add(domain.box_min[axis], -times * shift.n[axis]);
   }
-  for (int higher = axis + 1; higher < domain.dimension; higher++) {
+  for (int higher = axis + 1; higher < 3; higher++) {
     const double tilt = domain.tilt[kTiltOf[higher][axis]];
     if (shift.n[higher] != 0 && tilt != 0) sum.add(tilt, times * shift.n[higher]);
   }

@@ -85,13 +85,11 @@ void build_chunks(Index &index, ChunkScratch &scratch, const ParticleStore &stor
   ChunkInput input{particle_input(store, index), 0, nullptr, 0};
   if (index.squeezed.in_use()) input.centers = index.squeezed.centers();
   PointStore &points = index.particles;
-  index.chunks.build(input, sizes, dimension, count, points.slot.data(), scratch);
-  const ChunkScatter output{points.x.data(), points.y.data(), points.z.data(), points.radius.data()};
+  index.chunks.build(input, sizes, dimension, count, points.slot.data(), scratch, threads);
+  const PointColumns output = points.columns();
   const ChunkBuildKernel &kernel = active_kernels().chunk_build[dimension - 2];
-  const size_t parts = parts_of(count);
-  parallel_for(threads, parts, [&](size_t part, int) {
-    kernel.put(input, points.slot.data(), count * part / parts, count * (part + 1) / parts, output);
-  });
+  each_part(threads, count,
+            [&](size_t begin, size_t end) { kernel.put(scratch.points.data(), output.slot, begin, end, output); });
 
   auto giants = static_cast<uint32_t>(count);
   for (int h = index.level_count - 1; h >= 0 && index.chunks.level(h).giants; h--) giants = index.levels[h].begin;

@@ -98,7 +98,8 @@ class Builder {
           static_cast<float>(index_.interaction.folded_radius(l.largest_radius) * index_.map.scale);
       const RadiusRange radii{h == 0 ? -1.0 : level(h - 1).plan.radius_limit, l.plan.radius_limit};
       if (laid.widened && count_ <= ChunkRows::kMostParticles && index_.largest_reach() > 0 &&
-          estimate_companions(store_, index_.map, D, l.cells, radii, l.end - l.begin) > kMostCompanions) {
+          estimate_companions(store_, index_.map, D, l.cells, radii, l.end - l.begin, kMostCompanions) >
+              kMostCompanions) {
         return false;
       }
       rows += laid.rows;

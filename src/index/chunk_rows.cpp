@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/index/chunk_rows.hpp"
 
+#include "src/base/parallel.hpp"
 #include "src/base/radix_sort.hpp"
 #include "src/space/level_cells.hpp"
 
@@ -22,10 +23,8 @@ double whole_float(double x) {
   return static_cast<double>(rounded);
 }
 
-// `cell`: the first of X there.
-int32_t chunk_word(int32_t cell, int32_t first, int32_t last) {
-  return cell / kChunkCells * ChunkWord::kFlags + first + 4 * last;
-}
+// From the cell of a particle to that of the next one in a row, or in the next row.
+constexpr size_t kMostCellsBetween = size_t{3} * kChunkCells;
 
 // On what a search must allow for see docs/theory/exactness.md, section 12.
 constexpr double kLeastSlack = 16;
@@ -85,77 +84,63 @@ void ChunkRows::find_spaces(const ChunkInput &input, const Sizes &sizes, int dim
   }
 }
 
-// Without a branch for where a chunk or a row begins: what is not yet its place is written over.
+// key_at(i) is the key of particle i in sorted order. Without a branch for where a chunk or a row begins: what is not
+// yet its place is written over. Chunks side by side have units side by side; where one is missing between two, it gets
+// a unit as if it were there. Unit 0 is never used, so that what is before the first has a number.
 template <class KeyAt>
 void ChunkRows::list_chunks(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkScratch &scratch) {
+  constexpr size_t kTogether = 64;
   chunk_of_.require_room(count + kPadding);
   chunk_x_.require_room(count + kPadding);
+  chunk_cell_.require_room(count + kPadding);
   chunk_row_.require_room(count);
   row_chunk_.require_room(count + 1);
   scratch.row_key.require_room(count + 3);
   uint64_t row_before = ~uint64_t{0};
-  uint32_t x_before = 0, chunk = 0, row = 0;  // one more than the number of the last one
-  for (size_t i = 0; i < count; i++) {
+  uint32_t x_before = 0, chunk = 0, row = 0, row_begin = 0;  // chunk, row: one more than the number of the last one
+  int32_t cell = 0;
+  const auto read = [&](size_t i, uint32_t *begin) {
     const ChunkKey key = key_at(i);
     const uint32_t x = key.cell / kChunkCells;
     const uint32_t new_row = key.row != row_before ? 1 : 0;
     const uint32_t new_chunk = new_row | (x != x_before ? 1u : 0u);
+    const uint32_t one_missing = new_row == 0 && x == x_before + 2 ? 1 : 0;
+    row_begin = new_row != 0 ? chunk : row_begin;
     row += new_row;
     chunk += new_chunk;
+    cell += static_cast<int32_t>(new_chunk + one_missing) * kChunkCells;
     scratch.row_key[row - 1] = key.row;
+    row_chunk_[row - 1] = row_begin;
     chunk_x_[chunk - 1] = static_cast<int32_t>(x);
     chunk_row_[chunk - 1] = row - 1;
+    chunk_cell_[chunk - 1] = cell;
     chunk_of_[i] = chunk - 1;
     slot[i] = key.slot;
+    // All that begins behind this particle, as far as the next one may be.
+    uint32_t *behind = begin + static_cast<size_t>(cell) + key.cell % kChunkCells + 1;
+    for (size_t n = 0; n < kMostCellsBetween; n++) behind[n] = static_cast<uint32_t>(i + 1);
     row_before = key.row;
     x_before = x;
+  };
+  cell_begin_.grow(kMostCellsBetween);
+  std::fill(cell_begin_.data(), cell_begin_.data() + kMostCellsBetween, 0u);
+  for (size_t at = 0; at < count; at += kTogether) {
+    cell_begin_.grow(static_cast<size_t>(cell) + (2 * kTogether + 3) * kChunkCells + kCellPadding);
+    for (size_t i = at; i < std::min(count, at + kTogether); i++) read(i, cell_begin_.data());
   }
   chunks_ = chunk;
   rows_ = row;
+  row_chunk_[rows_] = chunk;
+  cells_ = static_cast<size_t>(cell) + size_t{3} * kChunkCells;
   for (size_t i = 0; i < kPadding; i++) {
     chunk_of_[count + i] = 0;
     chunk_x_[chunks_ + i] = 0;
   }
   for (size_t i = 0; i < 3; i++) scratch.row_key[rows_ + i] = ~uint64_t{0};
-  for (uint32_t c = chunk; c-- > 0;) row_chunk_[chunk_row_[c]] = c;
-  row_chunk_[rows_] = chunk;
-}
-
-// Chunks side by side have units side by side; where one is missing between two, it gets a unit as if it were there.
-void ChunkRows::number_cells() {
-  chunk_cell_.require_room(chunks_ + kPadding);
-  int32_t cell = 0;
-  for (size_t c = 0; c < chunks_; c++) {
-    const bool one_missing = c > 0 && chunk_row_[c] == chunk_row_[c - 1] && chunk_x_[c] == chunk_x_[c - 1] + 2;
-    cell += one_missing ? 2 * kChunkCells : kChunkCells;  // unit 0 is never used: what is before the first has a number
-    chunk_cell_[c] = cell;
-  }
-  cells_ = static_cast<size_t>(cell) + size_t{3} * kChunkCells;
-}
-
-template <class KeyAt>
-void ChunkRows::fill_cells(KeyAt &&key_at, size_t count) {
-  cell_begin_.require_room(cells_ + kCellPadding);
-  uint32_t *begin = cell_begin_.data();
-  std::fill(begin, begin + cells_ + kPadding, 0u);
-  for (size_t i = 0; i < count; i++) {
-    const auto first = static_cast<size_t>(chunk_cell_[chunk_of_[i]]);
-    begin[first + key_at(i).cell % kChunkCells + 1] = static_cast<uint32_t>(i + 1);
-  }
-  uint32_t greatest = 0;
-  for (size_t c = 0; c < cells_ + kPadding; c++) begin[c] = greatest = std::max(greatest, begin[c]);
-}
-
-// key_at(i) is the key of particle i in sorted order.
-template <class KeyAt>
-void ChunkRows::fill(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkScratch &scratch) {
-  list_chunks(key_at, count, slot, scratch);
-  number_cells();
-  fill_cells(key_at, count);
 }
 
 void ChunkRows::build(ChunkInput input, const Sizes &sizes, int dimension, size_t count, uint32_t *slot,
-                      ChunkScratch &scratch) {
+                      ChunkScratch &scratch, int threads) {
   for (int h = 0; h < sizes.level_count; h++) {
     levels_[h] = ChunkLevel{};
     for (int axis = 0; axis < dimension; axis++) levels_[h].space.high[axis] = to_whole(input.map.extent[axis]);
@@ -177,13 +162,14 @@ void ChunkRows::build(ChunkInput input, const Sizes &sizes, int dimension, size_
   input.levels = levels;
   input.row_bits = row_bits_;
   const ChunkBuildKernel &kernel = active_kernels().chunk_build[dimension - 2];
+  scratch.points.require_room(count);
   const PackedKeys packed{cell_bits_, bit_width(count)};
   if (layer_bits_ + row_bits_ + cell_bits_ + packed.slot_bits <= 64) {
-    const uint64_t *keys = sorted_packed_keys(input, kernel, count, packed, scratch);
-    fill([keys, packed](size_t i) { return unpack(packed, keys[i]); }, count, slot, scratch);
+    const uint64_t *keys = sorted_packed_keys(input, kernel, count, packed, scratch, threads);
+    list_chunks([keys, packed](size_t i) { return unpack(packed, keys[i]); }, count, slot, scratch);
   } else {
-    const ChunkKey *keys = sorted_keys(input, kernel, count, scratch);
-    fill([keys](size_t i) { return keys[i]; }, count, slot, scratch);
+    const ChunkKey *keys = sorted_keys(input, kernel, count, scratch, threads);
+    list_chunks([keys](size_t i) { return keys[i]; }, count, slot, scratch);
   }
   list_layers(scratch);
   set_origins();
@@ -192,11 +178,12 @@ void ChunkRows::build(ChunkInput input, const Sizes &sizes, int dimension, size_
 
 // By row, then by cell.
 const ChunkKey *ChunkRows::sorted_keys(const ChunkInput &input, const ChunkBuildKernel &kernel, size_t count,
-                                       ChunkScratch &scratch) const {
+                                       ChunkScratch &scratch, int threads) const {
   scratch.keys.require_room(count);
   scratch.other_keys.require_room(count);
   ChunkKey *keys = scratch.keys.data(), *other = scratch.other_keys.data();
-  kernel.find_keys(input, 0, count, keys);
+  each_part(threads, count,
+            [&](size_t begin, size_t end) { kernel.find_keys(input, begin, end, scratch.points.data(), keys); });
   ChunkKey *by_cell = radix_sort(keys, other, count, cell_bits_, [](const ChunkKey &key) { return key.cell; });
   return radix_sort(by_cell, by_cell == keys ? other : keys, count, row_bits_ + layer_bits_,
                     [](const ChunkKey &key) { return key.row; });
@@ -204,10 +191,12 @@ const ChunkKey *ChunkRows::sorted_keys(const ChunkInput &input, const ChunkBuild
 
 // The same with half of the memory to move.
 const uint64_t *ChunkRows::sorted_packed_keys(const ChunkInput &input, const ChunkBuildKernel &kernel, size_t count,
-                                              const PackedKeys &packed, ChunkScratch &scratch) const {
+                                              const PackedKeys &packed, ChunkScratch &scratch, int threads) const {
   scratch.packed.require_room(2 * count);
   uint64_t *keys = scratch.packed.data();
-  kernel.find_packed_keys(input, packed, 0, count, keys);
+  each_part(threads, count, [&](size_t begin, size_t end) {
+    kernel.find_packed_keys(input, packed, begin, end, scratch.points.data(), keys);
+  });
   const int slot_bits = packed.slot_bits;
   return radix_sort(keys, keys + count, count, layer_bits_ + row_bits_ + cell_bits_,
                     [slot_bits](uint64_t key) { return key >> slot_bits; });
@@ -238,67 +227,28 @@ void ChunkRows::list_layers(const ChunkScratch &scratch) {
   }
 }
 
+// Places are whole, so that their lowest 32 bits can be reckoned with alone.
 void ChunkRows::set_origins() {
   origin_x_.require_room(chunks_ + kCellPadding);
   origin_y_.require_room(chunks_ + kCellPadding);
   origin_z_.require_room(chunks_ + kCellPadding);
   for (int h = 0; h < level_count_; h++) {
     const ChunkLevel &level = levels_[h];
-    if (level.giants) continue;
+    if (level.giants || level.first == level.end) continue;
+    const int32_t low = low_word(level.space.low[0]), length = low_word(level.chunk_length());
+    for (size_t c = level_chunk_begin(level); c < level_chunk_end(level); c++) {
+      origin_x_[c] = moved_by(low, chunk_x_[c], length);
+    }
     for (size_t layer = level.first; layer < level.end; layer++) {
       const int32_t z = low_word(level.corner_z(layer_[layer]));
       for (size_t row = layer_row_[layer]; row < layer_row_[layer + 1]; row++) {
         const int32_t y = low_word(level.corner_y(row_y_[row]));
         for (size_t c = row_chunk_[row]; c < row_chunk_[row + 1]; c++) {
-          origin_x_[c] = low_word(level.corner_x(chunk_x_[c]));
           origin_y_[c] = y;
           origin_z_[c] = z;
         }
       }
     }
-  }
-}
-
-// Rows are sorted, so the neighbours of all rows in the next layer are met by one walk.
-void ChunkRows::link_rows(int dimension, const ChunkScratch &scratch) {
-  for (auto &word : word_) word.require_room(chunks_ + kCellPadding);
-  for (int n = 1; n < kStencilRows; n++) std::fill(word_[n].data(), word_[n].data() + chunks_, ChunkWord::kNone);
-  link_own_row();
-  const uint64_t *key = scratch.row_key.data();
-  size_t next = 0;
-  for (size_t row = 0; row < rows_; row++) {
-    if (key[row + 1] == key[row] + 1) link_row(row, 1, row + 1);
-    if (dimension == 2) continue;
-    const uint64_t first = key[row] + (uint64_t{1} << row_bits_) - 1;
-    while (next < rows_ && key[next] < first) next++;
-    for (size_t n = next; n < next + 3; n++) {
-      if (key[n] - first < 3) link_row(row, 2 + static_cast<int>(key[n] - first), n);
-    }
-  }
-}
-
-void ChunkRows::link_own_row() {
-  for (size_t c = 0; c < chunks_; c++) {
-    const bool before = c > 0 && chunk_row_[c - 1] == chunk_row_[c] && chunk_x_[c - 1] + 1 == chunk_x_[c];
-    const bool after = c + 1 < chunks_ && chunk_row_[c + 1] == chunk_row_[c] && chunk_x_[c] + 1 == chunk_x_[c + 1];
-    word_[0][c] = chunk_word(chunk_cell_[c], before ? 0 : 1, after ? 3 : 2);
-  }
-}
-
-void ChunkRows::link_row(size_t row, int stencil_row, size_t neighbor) {
-  const size_t end = row_chunk_[neighbor + 1];
-  const int32_t *x = chunk_x_.data();
-  for (size_t c = row_chunk_[row]; c < row_chunk_[row + 1]; c++) {
-    const size_t at = lower_chunk(neighbor, x[c] - 1);
-    // Of the three from X - 1 to X + 1, which exist: those found at `at` and after it.
-    uint32_t exists = 0;
-    for (size_t n = at; n < at + 3; n++) {
-      const auto place = static_cast<uint32_t>(x[n] - (x[c] - 1));
-      exists |= n < end && place < 3 ? 1u << place : 0u;
-    }
-    if (exists == 0) continue;
-    const int first = __builtin_ctz(exists), last = bit_width(exists);
-    word_[stencil_row][c] = chunk_word(chunk_cell_[at] + (1 - first) * kChunkCells, first, last);
   }
 }
 

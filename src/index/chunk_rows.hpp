@@ -7,6 +7,7 @@
 #include "src/base/memory.hpp"
 #include "src/exact/domain.hpp"
 #include "src/exact/interaction.hpp"
+#include "src/index/chunk_plane.hpp"
 #include "src/kernels/kernel_set.hpp"
 #include "src/particles/particle_store.hpp"
 #include "src/space/chunk_table.hpp"
@@ -35,10 +36,20 @@ struct ChunkLevel {
 
 // What building needs besides, kept between builds.
 struct ChunkScratch {
-  explicit ChunkScratch(Memory &memory) : keys(memory), other_keys(memory), packed(memory), row_key(memory) {}
+  explicit ChunkScratch(Memory &memory)
+      : points(memory),
+        keys(memory),
+        other_keys(memory),
+        packed(memory),
+        row_key(memory),
+        plane{ChunkPlane(memory), ChunkPlane(memory)},
+        place(memory) {}
+  Buffer<Point> points;               // by slot
   Buffer<ChunkKey> keys, other_keys;  // and room to sort them; or
   Buffer<uint64_t> packed;            // both, if keys fit into one number
   Buffer<uint64_t> row_key;           // of each row
+  ChunkPlane plane[2];                // a layer and the next one
+  Buffer<uint32_t> place;             // there, of each chunk
 };
 
 class ChunkRows {
@@ -71,8 +82,9 @@ class ChunkRows {
     double radius_limit[HG_MAX_LEVELS], diameter[HG_MAX_LEVELS];
   };
   // Lays cells over the particles that `input` names (its levels and bits are set here), and sorts them: slot[i]
-  // becomes the slot of particle i in sorted order.
-  void build(ChunkInput input, const Sizes &sizes, int dimension, size_t count, uint32_t *slot, ChunkScratch &scratch);
+  // becomes the slot of particle i in sorted order. The scratch has the points then, by slot.
+  void build(ChunkInput input, const Sizes &sizes, int dimension, size_t count, uint32_t *slot, ChunkScratch &scratch,
+             int threads);
   // Keeps the places of giants, which are the particles from `begin` on.
   void place_giants(const ChunkInput &input, const uint32_t *slot, uint32_t begin, size_t count, int dimension);
 
@@ -134,20 +146,27 @@ class ChunkRows {
   bool lay(const ChunkInput &input, const Sizes &sizes);
   void find_spaces(const ChunkInput &input, const Sizes &sizes, int dimension, size_t count);
   const ChunkKey *sorted_keys(const ChunkInput &input, const ChunkBuildKernel &kernel, size_t count,
-                              ChunkScratch &scratch) const;
+                              ChunkScratch &scratch, int threads) const;
   const uint64_t *sorted_packed_keys(const ChunkInput &input, const ChunkBuildKernel &kernel, size_t count,
-                                     const PackedKeys &packed, ChunkScratch &scratch) const;
-  template <class KeyAt>
-  void fill(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkScratch &scratch);
+                                     const PackedKeys &packed, ChunkScratch &scratch, int threads) const;
   template <class KeyAt>
   void list_chunks(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkScratch &scratch);
-  void number_cells();
-  template <class KeyAt>
-  void fill_cells(KeyAt &&key_at, size_t count);
   void list_layers(const ChunkScratch &scratch);
   void set_origins();
-  void link_rows(int dimension, const ChunkScratch &scratch);
+  uint32_t level_chunk_begin(const ChunkLevel &level) const { return row_chunk_[layer_row_[level.first]]; }
+  uint32_t level_chunk_end(const ChunkLevel &level) const { return row_chunk_[layer_row_[level.end]]; }
+  void link_rows(int dimension, ChunkScratch &scratch);
   void link_own_row();
+  // A part of a layer that takes all chunks of a level, from chunk x of row y on.
+  struct Places {
+    int32_t x;
+    uint32_t y;
+    int64_t along, rows;
+  };
+  Places places_of(const ChunkLevel &level) const;
+  void link_by_places(const ChunkLevel &level, const Places &places, int dimension, ChunkScratch &scratch);
+  int32_t word_from(const ChunkPlane &plane, size_t place) const;
+  void link_by_search(const ChunkLevel &level, int dimension, const ChunkScratch &scratch);
   void link_row(size_t row, int stencil_row, size_t neighbor);
   size_t lower_chunk(size_t row, int32_t x) const;
 

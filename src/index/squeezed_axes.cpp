@@ -2,28 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/index/squeezed_axes.hpp"
 
-#include "src/base/ordered_bits.hpp"
-#include "src/base/radix_sort.hpp"
-
 #include <algorithm>
 
 namespace hg {
-namespace {
-
-// Unsigned numbers in the order of the doubles; -0.0 comes before 0.0.
-uint64_t ascending_bits(double x) {
-  const uint64_t bits = bits_of(x);
-  return bits ^ (bits >> 63 != 0 ? ~uint64_t{0} : uint64_t{1} << 63);
-}
-
-}  // namespace
 
 Bounds SqueezedAxes::squeeze(const ParticleStore &store, const Domain &domain, double gap) {
   const size_t count = store.slots();
   const auto dimension = static_cast<size_t>(domain.dimension);
   centers_.require_room(count * dimension);
-  sorted_.require_room(count);
-  other_.require_room(count);
   Bounds bounds;
   for (int axis = 0; axis < domain.dimension; axis++) {
     if (domain.periodic[axis]) {
@@ -38,31 +24,40 @@ Bounds SqueezedAxes::squeeze(const ParticleStore &store, const Domain &domain, d
   return bounds;
 }
 
-// Returns the extent.
+// Returns the extent. Within a bin no gap is long, so that runs are runs of bins.
 double SqueezedAxes::squeeze_axis(const ParticleStore &store, int axis, size_t dimension, double gap) {
   const size_t count = store.slots();
   const auto a = static_cast<size_t>(axis);
-  for (size_t slot = 0; slot < count; slot++) {
-    sorted_[slot] = {ascending_bits(store.center(slot)[a]), static_cast<uint32_t>(slot)};
+  bins_.begin(gap, count);
+  for (size_t slot = 0; slot < count; slot += AxisBins::kTogether) {
+    double x[AxisBins::kTogether];
+    const size_t here = std::min(count - slot, AxisBins::kTogether);
+    for (size_t i = 0; i < here; i++) x[i] = store.center(slot + i)[a];
+    bins_.add(slot, x, here);
   }
-  const Key *keys = radix_sort(sorted_.data(), other_.data(), count, 64, [](const Key &key) { return key.bits; });
+  bins_.sort();
 
   Buffer<Run> &runs = runs_[axis];
+  bin_run_.require_room(bins_.count());
   size_t run = 0;
   double before = 0, extent = 0;
-  for (size_t i = 0; i < count; i++) {
-    const double x = store.center(keys[i].slot)[a];
+  for (size_t n = 0; n < bins_.count(); n++) {
+    const uint32_t bin = bins_.sorted(n);
+    const double x = bins_.least(bin);
     // Halves, as the difference may overflow.
-    if (i == 0 || 0.5 * x - 0.5 * before > 0.5 * gap) {
+    if (n == 0 || 0.5 * x - 0.5 * before > 0.5 * gap) {
       runs.grow(run + 1);
-      runs[run++] = {x, i == 0 ? 0 : extent + gap};
+      runs[run++] = {x, n == 0 ? 0 : extent + gap};
     }
-    const Run &here = runs[run - 1];
-    extent = here.squeezed_begin + (x - here.begin);
-    centers_[keys[i].slot * dimension + a] = extent;
-    before = x;
+    const Run &here = bin_run_[bin] = runs[run - 1];
+    before = bins_.greatest(bin);
+    extent = here.squeezed_begin + (before - here.begin);
   }
   run_count_[axis] = run;
+  for (size_t slot = 0; slot < count; slot++) {
+    const Run &here = bin_run_[bins_.bin_of(slot)];
+    centers_[slot * dimension + a] = here.squeezed_begin + (store.center(slot)[a] - here.begin);
+  }
   return extent;
 }
 

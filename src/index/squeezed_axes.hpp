@@ -6,6 +6,7 @@
 
 #include "src/base/memory.hpp"
 #include "src/exact/domain.hpp"
+#include "src/index/axis_bins.hpp"
 #include "src/particles/particle_store.hpp"
 #include "src/space/bounds.hpp"
 
@@ -18,8 +19,8 @@ class SqueezedAxes {
  public:
   explicit SqueezedAxes(Memory &memory)
       : centers_(memory),
-        sorted_(memory),
-        other_(memory),
+        bins_(memory),
+        bin_run_(memory),
         runs_{Buffer<Run>(memory), Buffer<Run>(memory), Buffer<Run>(memory)} {}
 
   // As many gaps as there may be particles (ChunkRows::kMostParticles) are no infinite length.
@@ -41,16 +42,13 @@ class SqueezedAxes {
   struct Run {
     double begin, squeezed_begin;
   };
-  struct Key {
-    uint64_t bits;
-    uint32_t slot;
-  };
 
   double squeeze_axis(const ParticleStore &store, int axis, size_t dimension, double gap);
 
   bool in_use_ = false;
   Buffer<double> centers_;
-  Buffer<Key> sorted_, other_;
+  AxisBins bins_;        // of the axis that is being squeezed
+  Buffer<Run> bin_run_;  // that each of them lies in
   Buffer<Run> runs_[3];
   size_t run_count_[3] = {0, 0, 0};
 };

@@ -126,17 +126,12 @@ static inline ChunkKey unpack(const PackedKeys &packed, uint64_t key) {
           static_cast<uint32_t>(key & ((uint64_t{1} << packed.slot_bits) - 1))};
 }
 
-// Columns of points; z is not written in 2D.
-struct ChunkScatter {
-  int32_t *x, *y, *z;
-  float *radius;
-};
-
 struct ChunkBuildKernel {
-  void (*find_keys)(const ChunkInput &input, size_t begin, size_t end, ChunkKey *keys);
-  void (*find_packed_keys)(const ChunkInput &input, const PackedKeys &packed, size_t begin, size_t end, uint64_t *keys);
-  // Point i, for i in [begin, end), is the particle slots[i].
-  void (*put)(const ChunkInput &input, const uint32_t *slots, size_t begin, size_t end, const ChunkScatter &output);
+  void (*find_keys)(const ChunkInput &input, size_t begin, size_t end, Point *points, ChunkKey *keys);
+  void (*find_packed_keys)(const ChunkInput &input, const PackedKeys &packed, size_t begin, size_t end, Point *points,
+                           uint64_t *keys);
+  // Column entry i, for i in [begin, end), becomes that of points[slots[i]].
+  void (*put)(const Point *points, const uint32_t *slots, size_t begin, size_t end, const PointColumns &output);
 };
 
 // ---- images: which points reach across periodic faces

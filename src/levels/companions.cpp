@@ -23,29 +23,51 @@ uint64_t cell_number(const double *center, const FixedPoint &map, int dimension,
   return number;
 }
 
+// How many of the sample lie in each cell, by open addressing.
+class CellCounts {
+ public:
+  CellCounts() { std::fill(cell_, cell_ + kPlaces, kNone); }
+
+  // Returns how many are there already.
+  uint32_t add(uint64_t cell) {
+    size_t at = static_cast<size_t>(cell * 0x9e3779b97f4a7c15u >> (64 - kPlaceBits));
+    while (cell_[at] != cell && cell_[at] != kNone) at = (at + 1) % kPlaces;
+    if (cell_[at] == kNone) count_[at] = 0;
+    cell_[at] = cell;
+    return count_[at]++;
+  }
+
+ private:
+  static constexpr int kPlaceBits = 13;
+  static constexpr size_t kPlaces = size_t{1} << kPlaceBits;  // twice as many as are looked at
+  static_assert(kPlaces >= 2 * kSample);
+  static constexpr uint64_t kNone = ~uint64_t{0};
+
+  uint64_t cell_[kPlaces];
+  uint16_t count_[kPlaces];
+};
+
 }  // namespace
 
 double estimate_companions(const ParticleStore &store, const FixedPoint &map, int dimension, const CellTable &cells,
-                           const RadiusRange &radii, size_t particles) {
+                           const RadiusRange &radii, size_t particles, double enough) {
   const size_t count = store.slots(), looked_at = std::min(count, kSample);
-  uint64_t sample[kSample];
+  const auto mean = [particles](double together, size_t sampled) {
+    const double all_pairs = 0.5 * static_cast<double>(sampled) * static_cast<double>(sampled - 1);
+    return static_cast<double>(particles) * together / all_pairs;
+  };
+  CellCounts counts;
   size_t sampled = 0;
+  double together = 0;  // pairs in a cell
   for (size_t n = 0; n < looked_at; n++) {
     const size_t slot = n * count / looked_at;
     const double radius = store.radius(slot);
     if (!(radius > radii.above && radius <= radii.up_to)) continue;
-    sample[sampled++] = cell_number(store.center(slot), map, dimension, cells);
+    sampled++;
+    together += counts.add(cell_number(store.center(slot), map, dimension, cells));
+    if (sampled > 1 && mean(together, looked_at) > enough) return mean(together, looked_at);
   }
-  if (sampled < 2) return 0;
-  std::sort(sample, sample + sampled);
-  double together = 0;
-  for (size_t first = 0, i = 1; i <= sampled; i++) {
-    if (i < sampled && sample[i] == sample[first]) continue;
-    together += 0.5 * static_cast<double>(i - first) * static_cast<double>(i - first - 1);
-    first = i;
-  }
-  const double all_pairs = 0.5 * static_cast<double>(sampled) * static_cast<double>(sampled - 1);
-  return static_cast<double>(particles) * together / all_pairs;
+  return sampled < 2 ? 0 : mean(together, sampled);
 }
 
 }  // namespace hg

@@ -17,8 +17,9 @@ struct RadiusRange {
   double above, up_to;
 };
 
-// The mean over the particles of a level, not over its cells.
+// The mean over the particles of a level, not over its cells. Looks no further where it is certain that it is more than
+// `enough`, and returns a number that is.
 double estimate_companions(const ParticleStore &store, const FixedPoint &map, int dimension, const CellTable &cells,
-                           const RadiusRange &radii, size_t particles);
+                           const RadiusRange &radii, size_t particles, double enough);
 
 }  // namespace hg

@@ -52,10 +52,11 @@ LevelPlan LevelChoice::choose(const ParticleStore &store, const FixedPoint &map,
   if (!settings_.counts_work || store.slots() == 0) {
     return plan_levels(classes_, request, OccupancyCost(settings_.cell_overhead));
   }
+  const WorkPrices prices = settings_.prices.fitted(store.slots());
   // One size leaves no choice that would be worth a sample.
   const Density density = classes_.count() == 1 ? Density::even(map.extent, volume.dimension)
                                                 : Density::sample(store, map, volume.dimension);
-  return plan_levels(classes_, request, WorkCost(classes_, wide, map, volume.dimension, density, settings_.prices));
+  return plan_levels(classes_, request, WorkCost(classes_, wide, map, volume.dimension, density, prices));
 }
 
 }  // namespace hg

@@ -6,6 +6,7 @@
 #include "src/space/level_cells.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hg {
 namespace {
@@ -21,6 +22,20 @@ struct WorkCost::Level {
   double row_width, cell_length;
   double rows;  // in all
 };
+
+WorkPrices WorkPrices::fitted(size_t particles) const {
+  // Where caches hold the particles, and where they hold a small part of them; between, by the logarithm.
+  constexpr double kLevel[2] = {4, 12}, kRow[2] = {18, 24};
+  constexpr int kCached = 17, kOctaves = 3;  // 2^17 to 2^20 particles
+  int exponent = 0;
+  const double mantissa = std::frexp(static_cast<double>(particles), &exponent);  // in [1/2, 1)
+  const double octaves = (exponent - 1 - kCached) + (2 * mantissa - 1);  // the logarithm, straight within an octave
+  const double share = std::clamp(octaves / kOctaves, 0.0, 1.0);
+  const auto fit = [share](double price, const double(&fitted)[2]) {
+    return price < 0 ? fitted[0] + share * (fitted[1] - fitted[0]) : price;
+  };
+  return {fit(level, kLevel), fit(row, kRow)};
+}
 
 WorkCost::WorkCost(const SizeClasses &classes, const Interaction &interaction, const FixedPoint &map, int dimension,
                    const Density &density, const WorkPrices &prices)

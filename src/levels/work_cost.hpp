@@ -19,9 +19,15 @@ struct LevelWork {
   double tests = 0;   // candidates
 };
 
+// A price that the library knows better than the caller.
+inline constexpr double kFittedPrice = -1;
+
 // The prices, of a test = 1.
 struct WorkPrices {
-  double level = 0, row = 0;
+  double level = kFittedPrice, row = kFittedPrice;
+
+  // With the fitted ones in place, for so many particles. docs/decisions/0018-levels-by-cost.md.
+  WorkPrices fitted(size_t particles) const;
   double of(const LevelWork &work) const { return level * work.levels + row * work.rows + work.tests; }
 };
 

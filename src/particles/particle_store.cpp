@@ -27,11 +27,15 @@ ParticleStore::ParticleStore(Memory &memory, const InputCheck &check, const Shor
       ids_(memory),
       dead_(memory) {}
 
-void ParticleStore::insert(size_t count, const double *centers, const double *radii) {
-  if (count == 0) return;
-  if (static_cast<uint64_t>(count) > static_cast<uint64_t>(kMaxId - next_id_) + 1) {
+void ParticleStore::check_ids(int64_t first, size_t count) const {
+  if (static_cast<uint64_t>(count) > static_cast<uint64_t>(kMaxId - first) + 1) {
     fail(HG_ERR_LIMIT, "%zu particles more: ids would pass %lld", count, static_cast<long long>(kMaxId));
   }
+}
+
+void ParticleStore::insert(size_t count, const double *centers, const double *radii) {
+  if (count == 0) return;
+  check_insert(count);
   centers_.grow((slots_ + count) * dimension_);
   radii_.grow(slots_ + count);
   if (!contiguous_) ids_.grow(slots_ + count);
@@ -51,10 +55,14 @@ void ParticleStore::insert(size_t count, const double *centers, const double *ra
   next_id_ += static_cast<int64_t>(count);
 }
 
-void ParticleStore::move(size_t count, const double *centers, const double *radii) {
+void ParticleStore::check_move(size_t count) const {
   if (count != live_count()) {
     fail(HG_ERR_ARGUMENT, "count is %zu but the grid holds %zu particles", count, live_count());
   }
+}
+
+void ParticleStore::move(size_t count, const double *centers, const double *radii) {
+  check_move(count);
   if (count == 0) return;
   compact();
   InputSummary found = check_.check({count, centers, radii, nullptr, nullptr});
@@ -63,6 +71,31 @@ void ParticleStore::move(size_t count, const double *centers, const double *radi
   if (radii != nullptr) std::memcpy(radii_.data(), radii, count * sizeof(double));
   if (radii == nullptr) found.radius = summary_.radius;
   summary_ = found;
+}
+
+void ParticleStore::set(size_t count, const double *centers, const double *radii) {
+  check_set(count);
+  InputSummary found{};
+  if (count > 0) {
+    found = check_.check({count, centers, radii, nullptr, nullptr});
+    if (!cell_.is_long_for(found.radius.greatest)) {
+      TwoLargest largest;
+      for (size_t k = 0; k < count; k++) largest.include(k, radii[k]);
+      const auto id = [&](int n) { return index_base_ + static_cast<int32_t>(largest.place[n]); };
+      cell_.check(largest, {id(0), id(1)});
+    }
+  }
+  centers_.grow(count * dimension_);
+  radii_.grow(count);
+  if (count > 0) {
+    std::memcpy(centers_.data(), centers, count * dimension_ * sizeof(double));
+    std::memcpy(radii_.data(), radii, count * sizeof(double));
+  }
+  summary_ = found;
+  slots_ = count;
+  removed_ = 0;
+  contiguous_ = true;
+  next_id_ = index_base_ + static_cast<int64_t>(count);
 }
 
 void ParticleStore::remove(size_t count, const int32_t *ids) {

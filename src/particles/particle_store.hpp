@@ -18,9 +18,15 @@ class ParticleStore {
  public:
   ParticleStore(Memory &memory, const InputCheck &check, const ShortCell &cell, int dimension, int32_t index_base);
 
+  // Throw if the next call cannot take so many particles.
+  void check_insert(size_t count) const { check_ids(next_id_, count); }
+  void check_move(size_t count) const;
+  void check_set(size_t count) const { check_ids(index_base_, count); }
   // Throws and changes nothing if a value is bad.
   void insert(size_t count, const double *centers, const double *radii);
   void move(size_t count, const double *centers, const double *radii);
+  // Exactly these, with ids that start anew.
+  void set(size_t count, const double *centers, const double *radii);
   void remove(size_t count, const int32_t *ids);
   void clear();
   // Throws and changes nothing if the particles do not suit the cell.
@@ -38,16 +44,21 @@ class ParticleStore {
   const InputSummary &summary() const { return summary_; }
   Ball ball(size_t slot) const { return {center(slot), radius(slot)}; }
 
+  // True if ids are those that set() would give.
+  bool is_as_set() const { return contiguous_ && removed_ == 0; }
   // While ids have no gaps, id = slot + id_offset(); else id_offset() is 0 and id() has to be asked.
   bool contiguous() const { return contiguous_; }
   int32_t id_offset() const { return contiguous_ ? index_base_ : 0; }
   int32_t id(size_t slot) const { return contiguous_ ? index_base_ + static_cast<int32_t>(slot) : ids_[slot]; }
   // The slot of an id that is stored (removed or not), or slots() if there is none.
   size_t find(int64_t id) const;
+  // The same, of an id that is known to be stored.
+  size_t slot(int32_t id) const { return contiguous_ ? static_cast<size_t>(id - index_base_) : find(id); }
 
  private:
   int32_t id_of(size_t slot) const;
   void check_cell(const ShortCell &cell, const double *radii, size_t count, double greatest) const;
+  void check_ids(int64_t first, size_t count) const;
 
   InputCheck check_;
   ShortCell cell_;

@@ -13,18 +13,19 @@
 namespace hg {
 namespace {
 
-void check_sphere(const Domain &domain, const Ball &sphere) {
+// `of`: which of several, in texts.
+void check_sphere(const Domain &domain, const Ball &sphere, const char *of = "") {
   for (int axis = 0; axis < domain.dimension; axis++) {
     const double x = sphere.center[axis];
-    if (!std::isfinite(x)) fail(HG_ERR_ARGUMENT, "center[%d] = %g is not finite", axis, x);
+    if (!std::isfinite(x)) fail(HG_ERR_ARGUMENT, "center%s[%d] = %g is not finite", of, axis, x);
   }
   const Domain::Outside outside = domain.outside(sphere.center);
   if (!(outside.boxes <= domain.most_outside())) {
-    fail(HG_ERR_ARGUMENT, "center[%d] = %g: more than 2^%d box lengths outside the periodic box", outside.axis,
+    fail(HG_ERR_ARGUMENT, "center%s[%d] = %g: more than 2^%d box lengths outside the periodic box", of, outside.axis,
          sphere.center[outside.axis], std::ilogb(domain.most_outside()));
   }
   if (!std::isfinite(sphere.radius) || is_negative(sphere.radius)) {
-    fail(HG_ERR_ARGUMENT, "radius = %g is not finite and >= 0", sphere.radius);
+    fail(HG_ERR_ARGUMENT, "radius%s = %g is not finite and >= 0", of, sphere.radius);
   }
 }
 
@@ -159,6 +160,27 @@ class SphereSearch {
 };
 
 }  // namespace
+
+bool overlaps(const Domain &domain, const Overlap &overlap, const Ball &a, const Ball &b) {
+  check_sphere(domain, a, "_a");
+  check_sphere(domain, b, "_b");
+  double place_a[3] = {0, 0, 0}, place_b[3] = {0, 0, 0};
+  const Shift boxes = domain.take_in(b.center, place_b) - domain.take_in(a.center, place_a);
+  const double reach = overlap.interaction().reach(a.radius, b.radius) * (1 + 0x1p-40);
+  check_reach(domain, reach);
+  PlaceBox from, to;
+  for (int axis = 0; axis < domain.dimension; axis++) {
+    const double around = farthest_image(domain, axis, reach) + place_slack(domain, axis);
+    from.low[axis] = from.high[axis] = place_a[axis];
+    to.low[axis] = place_b[axis] - around;
+    to.high[axis] = place_b[axis] + around;
+  }
+  bool found = false;
+  int64_t exact = 0;
+  visit_shifts(domain, from, to,
+               [&](const Shift &shift) { found = found || overlap.holds(a, b, shift + boxes, exact); });
+  return found;
+}
 
 size_t query_sphere(const BuiltGrid &grid, const Ball &sphere, Buffer<int32_t> &ids) {
   check_sphere(grid.index.domain, sphere);

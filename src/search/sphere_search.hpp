@@ -11,4 +11,8 @@ namespace hg {
 // is wrong with the sphere.
 size_t query_sphere(const BuiltGrid &grid, const Ball &sphere, Buffer<int32_t> &ids);
 
+// Whether two spheres interact that need not be particles, through any image. Throws an Error that names what is wrong
+// with one of them.
+bool overlaps(const Domain &domain, const Overlap &overlap, const Ball &a, const Ball &b);
+
 }  // namespace hg

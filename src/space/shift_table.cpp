@@ -24,14 +24,6 @@ bool fits_one_step(const Domain &domain, double reach) {
   return !domain.is_tilted();
 }
 
-// The last edge that is taken at all is taken forward.
-bool is_forward(const Shift &shift) {
-  for (int axis = 2; axis >= 0; axis--) {
-    if (shift.n[axis] != 0) return shift.n[axis] > 0;
-  }
-  return false;
-}
-
 }  // namespace
 
 void ShiftTable::list(const Domain &domain, const FixedPoint &map, double reach) {

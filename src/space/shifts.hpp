@@ -36,8 +36,9 @@ void visit_shifts(const Domain &domain, const PlaceBox &from, const PlaceBox &to
   };
   const auto along = [&](int axis, Shift shift, auto &&next) {
     const EdgeRange edges = range(axis, shift);
-    for (double n = edges.first; n <= edges.last; n++) {
-      shift.n[axis] = static_cast<int32_t>(n);
+    const auto count = static_cast<int64_t>(edges.count());
+    for (int64_t k = 0; k < count; k++) {
+      shift.n[axis] = static_cast<int32_t>(edges.first + static_cast<double>(k));
       next(shift);
     }
   };

@@ -9,13 +9,15 @@
 #include <string.h>
 
 /* A size may grow (then its struct has new members at the end); an offset or a constant never changes. */
-#define SIZES(X)       \
-  X(hg_allocator, 32)  \
-  X(hg_pair, 8)        \
-  X(hg_grid_def, 184)  \
-  X(hg_level, 32)      \
-  X(hg_level_cost, 24) \
-  X(hg_grid_stats, 104)
+#define SIZES(X)        \
+  X(hg_allocator, 32)   \
+  X(hg_pair, 8)         \
+  X(hg_grid_def, 184)   \
+  X(hg_level, 32)       \
+  X(hg_level_cost, 24)  \
+  X(hg_grid_stats, 104) \
+  X(hg_array, 24)       \
+  X(hg_contact_batch, 56)
 
 #define OFFSETS(X)                      \
   X(hg_allocator, context, 0)           \
@@ -67,7 +69,18 @@
   X(hg_grid_stats, search_count, 72)    \
   X(hg_grid_stats, byte_count, 80)      \
   X(hg_grid_stats, filter_count, 88)    \
-  X(hg_grid_stats, stored_count, 96)
+  X(hg_grid_stats, stored_count, 96)    \
+  X(hg_array, data, 0)                  \
+  X(hg_array, stride, 8)                \
+  X(hg_array, type, 16)                 \
+  X(hg_array, reserved, 20)             \
+  X(hg_contact_batch, count, 0)         \
+  X(hg_contact_batch, a, 8)             \
+  X(hg_contact_batch, b, 16)            \
+  X(hg_contact_batch, dx, 24)           \
+  X(hg_contact_batch, dy, 32)           \
+  X(hg_contact_batch, dz, 40)           \
+  X(hg_contact_batch, reach, 48)
 
 #define CONSTANTS(X)     \
   X(HG_OK, 0)            \
@@ -93,7 +106,10 @@
   X(HG_ALL_IMAGES, 1)    \
   X(HG_HALF, 0)          \
   X(HG_FULL, 1)          \
-  X(HG_MAX_LEVELS, 64)
+  X(HG_MAX_LEVELS, 64)   \
+  X(HG_REAL64, 0)        \
+  X(HG_REAL32, 1)        \
+  X(HG_MAX_BATCH, 1024)
 
 #define ASSERT_SIZE(type, size) _Static_assert(sizeof(type) == (size), "size of " #type);
 #define ASSERT_OFFSET(type, member, offset) _Static_assert(offsetof(type, member) == (offset), #type "%" #member);

@@ -31,6 +31,8 @@ program struct_layout
     call compare_level()
     call compare_level_cost()
     call compare_grid_stats()
+    call compare_array()
+    call compare_contact_batch()
     call compare_constants()
     if (compared /= layout_length()) then
         write (error_unit, '(a, i0, a, i0)') 'compared ', compared, ' numbers, the C side has ', layout_length()
@@ -153,6 +155,29 @@ contains
         call compare('hg_grid_stats%stored_count', offset(c_loc(it%stored_count), c_loc(it)))
     end subroutine compare_grid_stats
 
+    subroutine compare_array()
+        type(hg_array), target :: it
+
+        call compare('hg_array', int(c_sizeof(it), c_int64_t))
+        call compare('hg_array%data', offset(c_loc(it%data), c_loc(it)))
+        call compare('hg_array%stride', offset(c_loc(it%stride), c_loc(it)))
+        call compare('hg_array%type', offset(c_loc(it%type), c_loc(it)))
+        call compare('hg_array%reserved', offset(c_loc(it%reserved), c_loc(it)))
+    end subroutine compare_array
+
+    subroutine compare_contact_batch()
+        type(hg_contact_batch), target :: it
+
+        call compare('hg_contact_batch', int(c_sizeof(it), c_int64_t))
+        call compare('hg_contact_batch%count', offset(c_loc(it%count), c_loc(it)))
+        call compare('hg_contact_batch%a', offset(c_loc(it%a), c_loc(it)))
+        call compare('hg_contact_batch%b', offset(c_loc(it%b), c_loc(it)))
+        call compare('hg_contact_batch%dx', offset(c_loc(it%dx), c_loc(it)))
+        call compare('hg_contact_batch%dy', offset(c_loc(it%dy), c_loc(it)))
+        call compare('hg_contact_batch%dz', offset(c_loc(it%dz), c_loc(it)))
+        call compare('hg_contact_batch%reach', offset(c_loc(it%reach), c_loc(it)))
+    end subroutine compare_contact_batch
+
     subroutine compare_constants()
         call compare('HG_OK', int(HG_OK, c_int64_t))
         call compare('HG_ERR_NULL', int(HG_ERR_NULL, c_int64_t))
@@ -178,6 +203,9 @@ contains
         call compare('HG_HALF', int(HG_HALF, c_int64_t))
         call compare('HG_FULL', int(HG_FULL, c_int64_t))
         call compare('HG_MAX_LEVELS', int(HG_MAX_LEVELS, c_int64_t))
+        call compare('HG_REAL64', int(HG_REAL64, c_int64_t))
+        call compare('HG_REAL32', int(HG_REAL32, c_int64_t))
+        call compare('HG_MAX_BATCH', int(HG_MAX_BATCH, c_int64_t))
     end subroutine compare_constants
 
 end program struct_layout

@@ -16,7 +16,7 @@
 
 namespace {
 
-constexpr packing::SizeLaw kEqual{packing::Law::kMono, 1, 3};
+const packing::SizeLaw kEqual{packing::Law::kMono, 1, 3};
 
 // The second sphere flies towards the first by 0.1 per step. Overlap begins in step 5, when a list with the margin 0.3
 // from the start knows nothing of it; the search of step 8 finds it.

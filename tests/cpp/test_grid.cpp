@@ -92,6 +92,80 @@ void particles_come_move_and_go() {
   require_chain(grid);
 }
 
+void sets_replace_all() {
+  hgrid::Grid grid = chain();
+  grid.set(2, kCenters, kRadii);
+  require(grid.query_pairs().size() == 1, "a set of two");
+  grid.set(0, nullptr, nullptr);
+  require(grid.query_pairs().empty(), "a set of nothing");
+  grid.set(kChain, kCenters, kRadii);
+  require_chain(grid);
+  require_error(HG_ERR_NULL, "radii", [&] { grid.set(2, kCenters, nullptr); });
+  require_chain(grid);
+}
+
+// Columns of the chain, its last number first.
+void arrays_of_any_stride() {
+  const float zero = 0;
+  const auto last = static_cast<int64_t>(kChain - 1);
+  const hg_array same{&zero, 0, HG_REAL32, 0}, radius{kRadii, sizeof(double), HG_REAL64, 0};
+  const hg_array centers[3] = {{kCenters + 3 * last, -3 * int64_t{sizeof(double)}, HG_REAL64, 0}, same, same};
+  hgrid::Grid grid = chain();
+  grid.clear();
+  grid.insert_arrays(kChain, centers, &radius);
+  require_chain(grid);
+  grid.set_arrays(kChain, centers, &radius);
+  require_chain(grid);
+  grid.move_arrays(kChain, centers);
+  require_chain(grid);
+  grid.move_arrays(kChain, centers, &same);
+  require(grid.query_pairs().empty(), "particles without size");
+  require_error(HG_ERR_ARGUMENT, "radius.type = 9", [&] {
+    const hg_array none{kRadii, 8, 9, 0};
+    grid.insert_arrays(1, centers, &none);
+  });
+  require_error(HG_ERR_ARGUMENT, "count is 1", [&] { grid.move_arrays(1, centers); });
+  require_error(HG_ERR_NULL, "centers", [&] { grid.set_arrays(1, nullptr, &radius); });
+}
+
+void vectors_stand_beside_pairs() {
+  for (const int dimension : {2, 3}) {
+    const double centers[6] = {0.25, 1, 1, 3.75, 1, 1}, plane[4] = {0.25, 1, 3.75, 1}, radii[2] = {0.5, 0.5};
+    hg_grid_def def = hg_default_grid_def();
+    def.dimension = dimension;
+    def.periodic[0] = 1;
+    def.box_max[0] = 4;
+    hgrid::Grid grid(def);
+    grid.insert(2, dimension == 3 ? centers : plane, radii);
+    const auto [vectors, shifts] = grid.query_pair_vectors();
+    require(vectors.size() == static_cast<size_t>(dimension) && shifts.size() == vectors.size(), "as many numbers");
+    require(vectors[0] == -0.5 && vectors[1] == 0 && shifts[0] == -1 && shifts[1] == 0, "through the face");
+    grid.clear();
+    require(grid.query_pair_vectors().vectors.empty() && grid.query_pair_vectors().shifts.empty(), "of nothing");
+  }
+}
+
+void pairs_are_copied() {
+  hgrid::Grid grid = chain();
+  int32_t a[kChain] = {}, b[kChain] = {};
+  require(grid.copy_pairs(kChain, a, b) == kChain - 1, "the number of pairs");
+  for (size_t k = 0; k + 1 < kChain; k++) require(b[k] == a[k] + 1, "a pair of the chain");
+  size_t need = 0;
+  require_error(HG_ERR_CAPACITY, "capacity is 1", [&] { grid.copy_pairs(1, a, b, &need); });
+  require(need == kChain - 1, "what is needed");
+  require_error(HG_ERR_NULL, "a is NULL", [&] { grid.copy_pairs(kChain, nullptr, b, &need); });
+}
+
+void order_and_verdict() {
+  hgrid::Grid grid = chain();
+  std::vector<int32_t> ids(grid.query_order().begin(), grid.query_order().end());
+  std::sort(ids.begin(), ids.end());
+  require_same("every id once", ids, {0, 1, 2, 3});
+  const double apart[3] = {2, 0, 0};
+  require(grid.overlap(kCenters, 1, apart, 1.25) && !grid.overlap(kCenters, 1, apart, 1), "two spheres");
+  require_error(HG_ERR_ARGUMENT, "radius_b = -1", [&] { grid.overlap(kCenters, 1, apart, -1); });
+}
+
 // Two spheres whose nearest images meet only where the upper one stands half a box to the right.
 void a_box_may_change() {
   constexpr double kLow[3] = {0, 0, 0}, kHigh[3] = {4, 4, 4}, kTilt[3] = {2, 0, 0};
@@ -147,6 +221,11 @@ int main() {
                               cmocka_unit_test(run<levels_and_counters>),
                               cmocka_unit_test(run<particles_come_move_and_go>),
                               cmocka_unit_test(run<a_box_may_change>),
+                              cmocka_unit_test(run<sets_replace_all>),
+                              cmocka_unit_test(run<arrays_of_any_stride>),
+                              cmocka_unit_test(run<vectors_stand_beside_pairs>),
+                              cmocka_unit_test(run<pairs_are_copied>),
+                              cmocka_unit_test(run<order_and_verdict>),
                               cmocka_unit_test(run<failures_tell_status_and_text>)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

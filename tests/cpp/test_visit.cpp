@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// hgrid::Grid::visit_pairs: every kind of callable, how a visit ends, and what a callable throws.
+// hgrid::Grid::visit_pairs and visit_contacts: every kind of callable, how a visit ends, and what a callable throws.
 #include "tests/cpp/chain.hpp"
 
 #include <functional>
@@ -106,11 +106,46 @@ void calls_from_inside_are_refused() {
   require(grid.query_pairs().size() == kCrowdPairs, "the grid has suffered");
 }
 
+int32_t add_contacts(void *context, const hg_contact_batch *batch) {
+  *static_cast<size_t *>(context) += batch->count;
+  return 0;
+}
+
+void contacts_come_in_batches() {
+  hgrid::Grid grid = crowd();
+  size_t found = 0, visits = 0;
+  grid.visit_contacts([&](const hg_contact_batch &batch) {
+    for (size_t k = 0; k < batch.count; k++) {
+      found += batch.a[k] < batch.b[k] && batch.dz[k] == 0 && batch.reach[k] == 2 ? 1 : 0;
+    }
+  });
+  require(found == kCrowdPairs, "a lambda that takes a batch");
+  found = 0;
+  grid.visit_contacts([&](auto batch) { found += batch.count; });
+  require(found == kCrowdPairs, "a generic lambda");
+  found = 0;
+  grid.visit_contacts(add_contacts, &found);
+  require(found == kCrowdPairs, "a C visitor");
+  grid.visit_contacts([&](const hg_contact_batch &) { return ++visits == 2; });
+  require(visits == 2, "true does not end the visit, or false does");
+  try {
+    grid.visit_contacts([](const hg_contact_batch &) { throw 17; });
+    throw Failure("the number is lost");
+  } catch (const int number) {
+    require(number == 17, "another number");
+  }
+  require_error(HG_ERR_STATE, "visited",
+                [&] { grid.visit_contacts([&](const hg_contact_batch &) { grid.query_pair_vectors(); }); });
+  require_error(HG_ERR_NULL, "visit", [&] { grid.visit_contacts(nullptr, nullptr); });
+  require(grid.query_pairs().size() == kCrowdPairs, "the grid has suffered");
+}
+
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(run<any_callable_will_do>), cmocka_unit_test(run<what_is_true_ends_the_visit>),
-      cmocka_unit_test(run<exceptions_pass_around_c>), cmocka_unit_test(run<calls_from_inside_are_refused>)};
+      cmocka_unit_test(run<exceptions_pass_around_c>), cmocka_unit_test(run<calls_from_inside_are_refused>),
+      cmocka_unit_test(run<contacts_come_in_batches>)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -245,6 +245,7 @@ double largest_radius(const std::string &keys) {
 
 void scenes_take_every_law(void **) {
   for (const packing::LawRow &row : packing::size_laws()) {
+    if (row.law == packing::Law::kTable) continue;
     const std::string keys = std::string("law = \"") + row.name + "\"";
     assert_int_equal(read(packed(keys + (row.takes.front().usual > 5 ? ", ratio = 5" : ""))).setup.count(), 400);
   }
@@ -259,6 +260,28 @@ void scenes_take_every_law(void **) {
   assert_true(
       is_refused(packed("law = \"power-law\", exponent = 12"), ":2: particles.pack: the exponent is ", "not 12"));
   assert_true(is_refused(packed("law = \"log-norml\""), ":2: particles.pack.law cannot be", "'log-normal'?"));
+}
+
+// Beside the scenes that are written here.
+constexpr const char *kSizesName = "hgrid-test-scene-sizes.csv";
+
+void scenes_take_tables_of_sizes(void **) {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / kSizesName;
+  std::ofstream(path) << "diameter,passing\n2,0\n4,30\n6,100\n";
+  const std::string keys = std::string("law = \"table\", sizes = \"") + kSizesName + "\"";
+  const double largest = largest_radius(keys), cut_and_scaled = largest_radius(keys + ", from = 4 }\nradius = 20 #");
+  const std::string unasked = error_of(packed(std::string("law = \"fuller\", sizes = \"") + kSizesName + "\""));
+  std::ofstream(path) << "diameter,passing\n2,0\n4,30\n6,20\n";
+  const std::string falling = error_of(packed(keys));
+  std::filesystem::remove(path);
+  assert_true(largest > 2.9 && largest < 3);
+  assert_true(cut_and_scaled > 29.8 && cut_and_scaled < 30);
+  assert_string_equal(unasked.c_str(), ":2: particles.pack.sizes: is for table, not for the law fuller");
+  assert_string_equal(
+      falling.c_str(),
+      (":2: particles.pack.sizes: " + path.string() + ":4: '20' in column 'passing' is below 30 before it").c_str());
+  assert_true(is_refused(packed("law = \"table\""), ":2: particles.pack: the law table needs a file of sizes"));
+  assert_true(is_refused(packed(keys), ":2: particles.pack.sizes: ", "cannot open"));
 }
 
 void outputs_take_every_format(void **) {
@@ -290,6 +313,7 @@ int main() {
       cmocka_unit_test(a_scene_says_what_it_means),
       cmocka_unit_test(files_bring_velocities),
       cmocka_unit_test(scenes_take_every_law),
+      cmocka_unit_test(scenes_take_tables_of_sizes),
       cmocka_unit_test(outputs_take_every_format),
       cmocka_unit_test(words_are_compared_by_edits),
   };

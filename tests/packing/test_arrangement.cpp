@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,7 @@ bool every_law_stretches_space() {
     const auto equal = packing::lay_particles(request_of(arrangement, packing::usual_law("mono"), dimension));
     return std::all_of(packing::size_laws().begin(), packing::size_laws().end(), [&](const packing::LawRow &row) {
       packing::SizeLaw law = packing::usual_law(row.name);
+      law.table = std::make_shared<packing::SizeTable>(packing::SizeTable{{{1, 0}, {5, 1}}});
       if (row.law != packing::Law::kMono) law.ratio = 5;
       const packing::Request request = request_of(arrangement, law, dimension);
       const particles::ParticleSet set = packing::lay_particles(request);

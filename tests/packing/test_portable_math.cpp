@@ -33,6 +33,16 @@ bool exponentials() {
   return true;
 }
 
+bool logarithms() {
+  for (const double x : {1e-300, 1e-9, 0.3, 0.70710678, 0.999999, 1.000001, 1.5, 2.0, 1e6, 1e300}) {
+    if (!near("logarithm", x, packing::logarithm(x), std::log(x), 1e-15)) return false;
+  }
+  for (const double exponent : {-3.0, -0.5, 0.0, 0.37, 2.0}) {
+    if (!near("power", exponent, packing::real_power(7.3, exponent), std::pow(7.3, exponent), 1e-14)) return false;
+  }
+  return packing::logarithm(1) == 0;
+}
+
 bool quantiles() {
   for (const double p : {1e-7, 0.001, 0.1, 0.4999, 0.6, 0.975, 0.999999}) {
     const double x = packing::normal_quantile(p);
@@ -48,6 +58,7 @@ int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(passes<roots_and_powers>),
       cmocka_unit_test(passes<exponentials>),
+      cmocka_unit_test(passes<logarithms>),
       cmocka_unit_test(passes<quantiles>),
   };
   return cmocka_run_group_tests_name("portable_math", tests, nullptr, nullptr);

@@ -34,6 +34,28 @@ works pack --law power-law --exponent 4 --count 500 --ratio 5 --sweeps 5 --outpu
 works pack --law log-normal --sigma 0.5 --count 500 --sweeps 5 --output normal.csv
 works pack --law one-giant --count 500 --ratio 5 --sweeps 5 --output giant.csv
 
+# Curves: what is reported is what the file holds, in its unit, or scaled; grains too few for the coarse end are told.
+works pack --law fuller --ratio 8 --radius 0.5 --count 2000 --sweeps 5 --output fuller.csv
+in_file=$(awk -F, 'NR > 2 && $4 > 0.5 && $4 <= 1 { ++n } END { print n }' fuller.csv)
+[ "$(awk '$1 == 0.5 && $2 == 1 { print $3 }' out.txt)" = "$in_file" ] || fault "not $in_file grains: $(cat out.txt)"
+grep -q "^left out: 35.4 % of the curve's mass, finer" out.txt || fault "fuller: $(cat out.txt)"
+works pack --law rosin-rammler --uniformity 1.2 --d63 5 --count 500 --sweeps 5 --output rosin.csv
+works pack --law log-normal-mass --median 4 --sigma 0.6 --count 500 --dimension 2 --sweeps 5 --output normal.csv
+printf 'diameter,passing\n0.25,8\n1,30\n4,53\n16,100\n' >sieves.csv
+works pack --law table --sizes sieves.csv --count 200 --density 0.1 --sweeps 5 --output table.csv
+grep -q "missing: .* without a particle" out.txt || fault "table: $(cat out.txt)"
+works pack --law table --sizes sieves.csv --from 1 --count 1000 --method event --density 0.4 --output table.csv
+awk -F, 'NR > 2 && !($4 >= 0.5 && $4 < 8) { bad = 1 } END { exit bad }' table.csv || fault "sizes of table.csv"
+"$hgrid" pack --law table --sizes sieves.csv --from 1 --count 1000 --sweeps 5 --output - --format csv >x.csv 2>err.txt
+grep -q "^left out: 30 %" err.txt || fault "table to standard output: $(cat err.txt)"
+rm x.csv
+printf 'diameter,passing\n1,0\n2,30\n4,97\n' >short.csv
+fails 1 "short.csv:4: the last share in column 'passing' is 97" pack --law table --sizes short.csv --output x.csv
+fails 1 "needs a file of sizes" pack --law table --output x.csv
+fails 1 "below the largest, 16, not from 16" pack --law table --sizes sieves.csv --from 16 --output x.csv
+fails 2 "--sizes: is for table, not for the law fuller" pack --law fuller --sizes sieves.csv --output x.csv
+fails 2 "--radius" pack --law mono --radius 0 --output x.csv
+
 # Uneven worlds: what is reported is what the file holds, and the options that they do not take.
 for arrangement in $("$hgrid" pack --help | grep -oE '\{even,[a-z,-]*\}' | tr -d '{}' | tr , ' '); do
   options=(--law two-sizes --ratio 3 --count 2000 --arrangement "$arrangement")
@@ -55,8 +77,8 @@ fails 2 "--periodic: is for the arrangement even, not for part" pack --arrangeme
 fails 2 "--arrangement: is for --method relax" pack --arrangement gas --method event --output x.csv
 fails 1 "the density lies between 0 and 1, not at 1.5" pack --arrangement shell --density 1.5 --output x.csv
 fails 2 "--exponent: is for power-law, not for the law mono" pack --law mono --exponent 4 --output x.csv
-fails 2 "--sigma: is for log-normal, not for the law uniform-volume" pack --sigma 1 --output x.csv
-fails 2 "one-giant, not for the law log-normal" pack --law log-normal --ratio 4 --output x.csv
+fails 2 "--sigma: is for log-normal, log-normal-mass, not for the law uniform-volume" pack --sigma 1 --output x.csv
+fails 2 "log-normal-mass, not for the law log-normal" pack --law log-normal --ratio 4 --output x.csv
 fails 1 "2 to 9, not 12" pack --law power-law --exponent 12 --output x.csv
 fails 2 "heap" pack --arrangement heap --output x.csv
 # Grown packings: no overlap, whatever the axes; the same seed, the same bytes.

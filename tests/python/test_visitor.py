@@ -76,13 +76,18 @@ class Visitor(unittest.TestCase):
     def test_calls_from_inside_are_refused(self):
         grid = self.grid
         calls = {
+            "set": lambda: grid.set([[0, 0, 0]], [1]),
             "insert": lambda: grid.insert([[0, 0, 0]], [1]),
             "move": lambda: grid.move(self.x),
             "remove": lambda: grid.remove([0]),
             "clear": grid.clear,
             "build": grid.build,
             "query_pairs": grid.query_pairs,
+            "vectors": lambda: grid.query_pairs(vectors=True),
             "visit_pairs": lambda: grid.visit_pairs(lambda pairs: None),
+            "visit_contacts": lambda: grid.visit_contacts(lambda *batch: None),
+            "order": lambda: grid.order,
+            "overlap": lambda: grid.overlap((0, 0, 0), 1, (0, 0, 0), 1),
             "query_neighbors": grid.query_neighbors,
             "query_sphere": lambda: grid.query_sphere((0, 0, 0), 1),
             "levels": lambda: grid.levels,

@@ -101,7 +101,7 @@ class FarParticles {
       sizes.radius_limit[h] = share * diameter[h];
     }
     slot.assign(count() + hg::kPadding, 0);
-    chunks.build(input(), sizes, dimension, count(), slot.data(), scratch);
+    chunks.build(input(), sizes, dimension, count(), slot.data(), scratch, 1);
     for (auto &column : x) column.assign(count() + hg::kPadding, 0);
     radius.assign(count() + hg::kPadding, 0);
     for (size_t i = 0; i < count(); i++) {

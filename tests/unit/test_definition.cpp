@@ -39,7 +39,7 @@ void check_defaults(uint64_t) {
   require(checked.interaction.kind == HG_CONTACT && checked.interaction.margin == 0, "interaction");
   require(checked.levels.rule == HG_LEVELS_AUTO && checked.levels.level_count == 0, "level_rule");
   require(checked.levels.counts_work && checked.levels.largest_diameter() == kInfinity, "AUTO counts work");
-  require(checked.levels.prices.level > 0 && checked.levels.prices.row > 0, "fitted prices");
+  require(checked.levels.prices.level < 0 && checked.levels.prices.row < 0, "fitted prices");
   require(!checked.domain.any_periodic && checked.domain.dimension == 3, "domain");
 }
 

@@ -20,9 +20,15 @@ def check_shape(array, name, shape):
         raise ArgumentError(f"{name} must have shape {_shape_text(shape)}, not {_shape_text(array.shape)}")
 
 
+def _rows(values, shape):
+    """`values` as an array. An empty list does not tell how long its rows would be: it has those of `shape`."""
+    array = np.asarray(values)
+    return array.reshape((0, *shape[1:])) if array.shape == (0,) and isinstance(shape[0], str) else array
+
+
 def reals(values, name, shape):
     """`values` as a contiguous float64 array of that shape; copied only if it is not one already."""
-    array = np.asarray(values)
+    array = _rows(values, shape)
     check_shape(array, name, shape)
     if not np.can_cast(array.dtype, np.float64, casting="same_kind"):
         raise TypeError(f"{name} must hold real numbers, not {array.dtype}")
@@ -59,7 +65,7 @@ def pairs(values, name):
     def refuse(index, value):
         raise ArgumentError(f"{name}{index} = {value}: does not fit in 32 bits")
 
-    array = np.asarray(values)
+    array = _rows(values, ("m", 2))
     check_shape(array, name, ("m", 2))
     return _int32(array, name, refuse)
 

@@ -73,7 +73,8 @@ class Grid:
     they stay as they are whatever happens to the grid.
 
     A grid may be used from several threads: calls on one grid wait for each other, those on different grids do not.
-    build, query_pairs, query_neighbors, visit_pairs, levels and level_costs run without the interpreter's global lock.
+    build, query_pairs, query_neighbors, visit_pairs, visit_contacts, order, levels and level_costs run without the
+    interpreter's global lock.
 
     A grid is its own context manager: leaving the block closes it.
     """
@@ -190,6 +191,16 @@ class Grid:
         radii = None if r is None else arrays.reals(r, "r", (len(centers),))
         self._call(capi.hg_move, centers, radii)
 
+    def set(self, x, r):
+        """Makes the grid hold exactly these particles, whatever it held: row k has the id index_base + k.
+
+        Any number in every step. Where number and radii are as before, stored candidates of a skin stay in use. All or
+        nothing.
+        """
+        centers = arrays.reals(x, "x", ("n", self._dimension))
+        radii = arrays.reals(r, "r", (len(centers),))
+        self._call(capi.hg_set, centers, radii)
+
     def set_box(self, box, tilt=None):
         """Gives a periodic grid a new box, as the arguments of the class do; particles stay where they are.
 
@@ -210,12 +221,23 @@ class Grid:
         """Chooses the levels and sorts the particles into cells. Queries do so by themselves when they must."""
         self._call(capi.hg_build)
 
-    def query_pairs(self):
+    def query_pairs(self, vectors=False, shifts=False):
         """All pairs, each once, as int32 of shape (m, 2): ids (a, b) with a < b, in the grid's order.
 
         With images='all' a pair stands as often as images of the two are in reach, and a == b for images of one.
+
+        With vectors=True or shifts=True a tuple: the pairs, then what leads from a to the image of b that it meets,
+        float64 of shape (m, dimension), each component rounded once from the exact value; then which image that is, in
+        whole edges of the periodic cell, int32 of shape (m, dimension).
         """
-        return self._query(capi.hg_query_pairs)
+        if not (vectors or shifts):
+            return self._query(capi.hg_query_pairs)
+        with self._lock:
+            pairs = self._query(capi.hg_query_pairs)
+            shape = (len(pairs), self._dimension)
+            lent = self._query(capi.hg_query_pair_vectors, len(pairs) * self._dimension)
+        wanted = [flat.reshape(shape) for flat, asked in zip(lent, (vectors, shifts)) if asked]
+        return (pairs, *wanted)
 
     def visit_pairs(self, visit):
         """Calls visit(pairs) with one batch after the other, int32 of shape (k, 2).
@@ -223,12 +245,29 @@ class Grid:
         With order='grid' the pairs are never all in memory at once. A true answer ends the visit; an exception ends it
         and passes on to the caller. Inside visit this grid refuses all calls with StateError.
         """
+        self._visit(capi.hg_visit_pairs, visit, lambda batch: visit(arrays.copy_out(batch)))
+
+    def visit_contacts(self, visit):
+        """Calls visit(pairs, vectors, reach) with one batch after the other, in the order of query_pairs.
+
+        pairs and vectors as query_pairs(vectors=True) gives them, at most HG_MAX_BATCH at a time; reach: float64 of
+        shape (k,), how far the two reach together. The rest as visit_pairs.
+        """
+
+        def hand_over(batch):
+            a, b, *components, reach = arrays.copy_out(batch)
+            return visit(np.stack((a, b), axis=1), np.stack(components, axis=1), reach)
+
+        self._visit(capi.hg_visit_contacts, visit, hand_over)
+
+    def _visit(self, call, visit, hand_over):
+        """A visit by the C interface, whose batches go through hand_over to visit."""
         if not callable(visit):
             raise TypeError(f"visit must be callable, not {type(visit).__name__}")
         with self._lock:
             outer, self._visiting = self._visiting, True
             try:
-                self._call(capi.hg_visit_pairs, lambda batch: visit(arrays.copy_out(batch)))
+                self._call(call, hand_over)
             finally:
                 self._visiting = outer
 
@@ -246,6 +285,21 @@ class Grid:
         """Ids, ascending, of the particles that a sphere interacts with by the grid's own rule; int32 of shape (k,)."""
         point = arrays.reals(center, "center", (self._dimension,))
         return self._query(capi.hg_query_sphere, point, float(radius))
+
+    def overlap(self, center_a, radius_a, center_b, radius_b):
+        """Whether two spheres interact that the grid need not hold, by its own rule."""
+        a = arrays.reals(center_a, "center_a", (self._dimension,))
+        b = arrays.reals(center_b, "center_b", (self._dimension,))
+        return bool(self._call(capi.hg_overlap, a, float(radius_a), b, float(radius_b)))
+
+    @property
+    def order(self):
+        """The ids of all particles in an order in which near ones stand together; int32 of shape (n,).
+
+        With arrays that were given by set, x[grid.order - index_base] is sorted along space, which makes most work on
+        them faster.
+        """
+        return self._query(capi.hg_query_order)
 
     @property
     def levels(self):

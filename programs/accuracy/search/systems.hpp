@@ -15,10 +15,10 @@ struct NamedLaw {
   const char *name;
   packing::SizeLaw law;
 };
-constexpr NamedLaw kEqualSpheres{"equal spheres", {packing::Law::kMono, 1, 3}};
-constexpr NamedLaw kUniformVolume10{"uniform volume, ratio 10", {packing::Law::kUniformVolume, 10, 3}};
-constexpr NamedLaw kUniformVolume50{"uniform volume, ratio 50", {packing::Law::kUniformVolume, 50, 3}};
-constexpr NamedLaw kUniformSize50{"uniform size, ratio 50", {packing::Law::kUniformSize, 50, 3}};
+inline const NamedLaw kEqualSpheres{"equal spheres", {packing::Law::kMono, 1, 3}};
+inline const NamedLaw kUniformVolume10{"uniform volume, ratio 10", {packing::Law::kUniformVolume, 10, 3}};
+inline const NamedLaw kUniformVolume50{"uniform volume, ratio 50", {packing::Law::kUniformVolume, 50, 3}};
+inline const NamedLaw kUniformSize50{"uniform size, ratio 50", {packing::Law::kUniformSize, 50, 3}};
 
 // A packing of density 0.62, smallest radius 1, pushed apart by `sweeps` sweeps: 60 leave many pairs within rounding of
 // touching.

@@ -3,6 +3,7 @@
 // `hgrid pack`: makes a packing of a size law and writes it to a particle file.
 #include "packing/event/grown_packing.hpp"
 #include "packing/packing.hpp"
+#include "packing/sizes/report.hpp"
 #include "particles/error.hpp"
 #include "particles/files/writer.hpp"
 #include "particles/text/formatted.hpp"
@@ -38,6 +39,8 @@ struct PackOptions {
   std::string law = "uniform-volume";
   std::string arrangement = "even";
   std::vector<std::optional<double>> law_values;  // in the order of packing::law_parameters()
+  std::string sizes;
+  std::optional<double> radius;
   std::optional<double> offset;
   bool random_offset = false;
   std::string periodic;
@@ -54,6 +57,9 @@ packing::SizeLaw law_of(const PackOptions &options) {
     const std::string fault = packing::set_parameter(law, parameter, *options.law_values[k]);
     if (!fault.empty()) throw CLI::ValidationError(std::string("--") + parameter.name, fault);
   }
+  if (options.sizes.empty()) return law;
+  const std::string fault = packing::set_sizes(law, options.sizes);
+  if (!fault.empty()) throw CLI::ValidationError("--sizes", fault);
   return law;
 }
 
@@ -131,6 +137,17 @@ void print_particles(const PackOptions &options, const particles::ParticleSet &s
                *smallest, *largest, box.c_str(), density.c_str());
 }
 
+double scale_of(const PackOptions &options, const packing::SizeLaw &law) {
+  return options.radius ? *options.radius / packing::first_radius(law) : 1;
+}
+
+// How well laws that are curves are met.
+void print_sizes(const PackOptions &options, const packing::SizeLaw &law, const particles::ParticleSet &set) {
+  if (packing::row_of(law.law).curve == nullptr) return;
+  const packing::SizeReport report = packing::report_sizes(law, set.radii, scale_of(options, law));
+  std::fputs(packing::words_of(report).c_str(), summary_file(options));
+}
+
 void relax(const PackOptions &options, const packing::Request &request, const particles::Format &format) {
   const auto start = std::chrono::steady_clock::now();
   packing::Packing packing;
@@ -141,11 +158,13 @@ void relax(const PackOptions &options, const packing::Request &request, const pa
                                      request.sweeps, overlaps.contacts, 100 * overlaps.mean));
     });
   }
+  packing::scale(packing.particles, scale_of(options, request.law));
   write_whole(options.output, format, packing.particles);
   print_particles(options, packing.particles, request.arrangement->takes_density ? words_of(request.density) : "");
   std::fprintf(
       summary_file(options), "%zu contacts, overlap over the smaller radius: mean %.2g, largest %.2g; made in %.1f s\n",
       packing.overlaps.contacts, packing.overlaps.mean, packing.overlaps.largest, measure::seconds_since(start));
+  print_sizes(options, request.law, packing.particles);
 }
 
 void print_growth(const PackOptions &options, const packing::event::GrowthResult &growth, double seconds) {
@@ -179,10 +198,12 @@ void grow(const PackOptions &options, const packing::Request &request, const par
       return !interrupt.requested();
     });
   }
+  packing::scale(packing.particles, scale_of(options, request.law));
   write_whole(options.output, format, packing.particles);
   print_particles(options, packing.particles, words_of(packing.growth.density));
   print_growth(options, packing.growth, measure::seconds_since(start));
   report_early_end(options, packing.growth);
+  print_sizes(options, request.law, packing.particles);
 }
 
 void run_pack(const PackOptions &options) {
@@ -214,6 +235,10 @@ void add_law_options(CLI::App &command, PackOptions &options) {
     command.add_option(std::string("--") + parameter.name, options.law_values[k],
                        packing::describe(parameter) + " (" + packing::usual_values(parameter) + ")");
   }
+  command.add_option("--sizes", options.sizes, packing::kSizesMeaning);
+  command
+      .add_option("--radius", options.radius, "Of the smallest size (1; table: as in it; log-normal: of the median)")
+      ->check(CLI::PositiveNumber);
 }
 
 void add_output_options(CLI::App &command, PackOptions &options) {

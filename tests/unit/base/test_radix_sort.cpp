@@ -75,6 +75,22 @@ void any_key_type(void **) {
   }));
 }
 
+// So many numbers that digits are longer; each is also its place before.
+void many_numbers(void **) {
+  assert_true(sweep(10, [](uint64_t seed) {
+    Rng rng(seed);
+    const int bits = rng.integer(0, 47);
+    std::vector<uint64_t> entries((size_t{1} << 15) + rng.below(3) - 1), other(entries.size());
+    for (size_t i = 0; i < entries.size(); i++) entries[i] = any_key(rng, bits, rng.integer(2, 4)) << 17 | i;
+    std::vector<uint64_t> expected = entries;
+    std::sort(expected.begin(), expected.end());
+    const uint64_t *sorted =
+        hg::radix_sort(entries.data(), other.data(), entries.size(), bits, [](uint64_t entry) { return entry >> 17; });
+    require(std::equal(expected.begin(), expected.end(), sorted), "%zu numbers of %d bits are in another order",
+            entries.size(), bits);
+  }));
+}
+
 // Numbers of which few or many share their upper bits, so few or so many that runs of all lengths are left to sort.
 void from_the_top(void **) {
   assert_true(sweep(200, [](uint64_t seed) {
@@ -100,6 +116,6 @@ void from_the_top(void **) {
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(as_a_stable_sort), cmocka_unit_test(any_key_type),
-                              cmocka_unit_test(from_the_top)};
+                              cmocka_unit_test(many_numbers), cmocka_unit_test(from_the_top)};
   return cmocka_run_group_tests_name("radix_sort", tests, nullptr, nullptr);
 }

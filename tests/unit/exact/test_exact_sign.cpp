@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// exact_order() against rational numbers: all exponents, cancelling sums, exact ties.
+// exact_order() and round_exactly() against rational numbers: all exponents, cancelling sums, exact ties.
 #include "src/exact/exact_sign.hpp"
+#include "tests/support/rounded.hpp"
 #include "tests/unit/checks.hpp"
 
 #include <gmpxx.h>
@@ -185,13 +186,58 @@ void factor_zero(void **) {
   assert_int_equal(more, -1);
 }
 
+void compare_rounded(const char *what, const ExactSum &sum) {
+  const double rounded = hg::round_exactly(sum);
+  require(is_rounded(rational(sum), rounded), "%s: %a is not the sum rounded", what, rounded);
+}
+
+void rounds_any_numbers(void **) {
+  assert_true(sweep(20000, [](uint64_t seed) {
+    Rng rng(seed);
+    compare_rounded("any numbers", any_sum(rng));
+  }));
+}
+
+// What is left of large terms, at every distance below and every place of the last bit; and the middle between two
+// doubles, with and without something below it.
+void rounds_what_is_left(void **) {
+  assert_true(sweep(20000, [](uint64_t seed) {
+    Rng rng(seed);
+    const int exponent = rng.integer(-700, 700);
+    const double large = any_double(rng);
+    const auto whole = static_cast<double>((uint64_t{1} << 52) + rng.below(4));
+    ExactSum sum;
+    sum.add(large, 1);
+    sum.add(std::ldexp(whole, exponent), rng.chance(0.5) ? 1 : -1);
+    sum.add(std::ldexp(1.0, exponent - 1), rng.integer(-1, 1));
+    sum.add(std::ldexp(1.0, exponent - rng.integer(2, 150)), rng.integer(-1, 1));
+    sum.add(large, -1);
+    compare_rounded("what is left", sum);
+  }));
+}
+
+void rounds_nothing_to_zero(void **) {
+  ExactSum none, cancelled;
+  cancelled.add(kLargest, 3);
+  cancelled.add(kLargest, -3);
+  const double zeros[] = {hg::round_exactly(none), hg::round_exactly(cancelled)};
+  for (const double zero : zeros) assert_true(zero == 0 && !std::signbit(zero));
+}
+
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(any_numbers), cmocka_unit_test(similar_numbers),  cmocka_unit_test(ties),
-      cmocka_unit_test(near_ties),   cmocka_unit_test(longest_integers), cmocka_unit_test(nothing_is_less_than_zero),
+      cmocka_unit_test(any_numbers),
+      cmocka_unit_test(similar_numbers),
+      cmocka_unit_test(ties),
+      cmocka_unit_test(near_ties),
+      cmocka_unit_test(longest_integers),
+      cmocka_unit_test(nothing_is_less_than_zero),
       cmocka_unit_test(factor_zero),
+      cmocka_unit_test(rounds_any_numbers),
+      cmocka_unit_test(rounds_what_is_left),
+      cmocka_unit_test(rounds_nothing_to_zero),
   };
   return cmocka_run_group_tests_name("exact_sign", tests, nullptr, nullptr);
 }

@@ -23,7 +23,10 @@ constexpr int32_t kGuard = -77;
 
 // What the two passes write, with a guard element behind each array.
 struct Built {
-  explicit Built(size_t count) : keys(count + 1, {7, 7, 7}), radius(count + 1, static_cast<float>(kGuard)) {
+  explicit Built(size_t count)
+      : points(count + 1, {kGuard, kGuard, kGuard, 0}),
+        keys(count + 1, {7, 7, 7}),
+        radius(count + 1, static_cast<float>(kGuard)) {
     for (auto &column : x) column.assign(count + 1, kGuard);
   }
   bool operator==(const Built &other) const {
@@ -35,9 +38,11 @@ struct Built {
   }
   bool guarded() const {
     return keys.back().row == 7 && keys.back().cell == 7 && keys.back().slot == 7 && x[0].back() == kGuard &&
-           x[1].back() == kGuard && x[2].back() == kGuard && radius.back() == static_cast<float>(kGuard);
+           x[1].back() == kGuard && x[2].back() == kGuard && radius.back() == static_cast<float>(kGuard) &&
+           points.back().x == kGuard && points.back().y == kGuard && points.back().z == kGuard;
   }
 
+  std::vector<hg::Point> points;  // by slot
   std::vector<hg::ChunkKey> keys;
   std::vector<int32_t> x[3];
   std::vector<float> radius;
@@ -137,23 +142,30 @@ class Scene {
     const hg::ChunkBuildKernel &kernel = set.chunk_build[dimension() - 2];
     Built built(count_);
     for (size_t part = 0; part + 1 < cuts_.size(); part++) {
-      kernel.find_keys(input_, cuts_[part], cuts_[part + 1], built.keys.data());
-      kernel.put(input_, slots_.data(), cuts_[part], cuts_[part + 1],
-                 {built.x[0].data(), built.x[1].data(), built.x[2].data(), built.radius.data()});
+      kernel.find_keys(input_, cuts_[part], cuts_[part + 1], built.points.data(), built.keys.data());
+    }
+    for (size_t part = 0; part + 1 < cuts_.size(); part++) {
+      kernel.put(built.points.data(), slots_.data(), cuts_[part], cuts_[part + 1],
+                 {built.x[0].data(), built.x[1].data(), built.x[2].data(), built.radius.data(), nullptr});
     }
     check_packed(kernel, built);
     return built;
   }
 
-  // The same keys in one number, as many of their bits as it holds.
+  // The same keys in one number, as many of their bits as it holds, and the same points.
   void check_packed(const hg::ChunkBuildKernel &kernel, const Built &built) const {
     const hg::PackedKeys packed{20, 13};
     constexpr uint64_t kCells = (uint64_t{1} << 20) - 1, kRows = (uint64_t{1} << (64 - 20 - 13)) - 1;
     std::vector<uint64_t> keys(count_ + 1, 7);
+    std::vector<hg::Point> points(count_);
     for (size_t part = 0; part + 1 < cuts_.size(); part++) {
-      kernel.find_packed_keys(input_, packed, cuts_[part], cuts_[part + 1], keys.data());
+      kernel.find_packed_keys(input_, packed, cuts_[part], cuts_[part + 1], points.data(), keys.data());
     }
     require(keys.back() == 7, "packed keys are written beyond their end");
+    const auto same = [](const hg::Point &a, const hg::Point &b) {
+      return a.x == b.x && a.y == b.y && a.z == b.z && a.radius == b.radius;
+    };
+    require(std::equal(points.begin(), points.end(), built.points.begin(), same), "other points beside packed keys");
     for (size_t i = 0; i < count_; i++) {
       const hg::ChunkKey &key = built.keys[i], found = unpack(packed, keys[i]);
       if (key.cell > kCells || key.slot >> 13 != 0) continue;  // more bits than there are

@@ -49,11 +49,18 @@ void check_estimate(uint64_t seed) {
   double others = 0;
   for (const auto &entry : held) others += entry.second * (entry.second - 1);
   const double expected = larger < 2 ? 0 : others / (static_cast<double>(larger) - 1);
-  const double estimate = hg::estimate_companions(store, map, domain.dimension, cells, {1, 2}, larger);
+  const double any = HUGE_VAL, estimate = estimate_companions(store, map, domain.dimension, cells, {1, 2}, larger, any);
   // Up to 4096 particles all are looked at, else so many that a few per cent are certain.
   const double tolerance = larger <= 4096 ? 0.1 + 0.1 * expected : 0.5 + 0.3 * expected;
   require(std::fabs(estimate - expected) < tolerance, "%zu particles: estimate %g, count %g", larger, estimate,
           expected);
+  // Whether it is more than some number is the same when no more is asked.
+  for (const double share : {0.0, 0.5, 0.99, 1.0, 1.01, 2.0}) {
+    const double enough = share * estimate;
+    const double at_least = estimate_companions(store, map, domain.dimension, cells, {1, 2}, larger, enough);
+    require((at_least > enough) == (estimate > enough) && at_least <= estimate, "%g: %g instead of %g", enough,
+            at_least, estimate);
+  }
 }
 
 void estimates(void **) { assert_true(sweep(40, check_estimate)); }

@@ -199,12 +199,37 @@ void check_giant(uint64_t) {
 
 void giant(void **) { assert_true(holds(0, check_giant)); }
 
+// Fitted prices rise from 2^17 to 2^20 particles, evenly with the logarithm; those of the caller stay.
+void check_fitted(uint64_t) {
+  const hg::WorkPrices fitted, own{3, 5}, none{0, 0};
+  const hg::WorkPrices cached = fitted.fitted(1 << 17), large = fitted.fitted(1 << 20);
+  require(cached.level == 4 && cached.row == 18 && large.level == 12 && large.row == 24, "fitted prices");
+  for (const size_t few : {size_t{0}, size_t{1}, size_t{1000}}) require(fitted.fitted(few).level == 4, "of few");
+  require(fitted.fitted(size_t{1} << 31).row == 24, "of many");
+  const hg::WorkPrices one = fitted.fitted(1 << 18), two = fitted.fitted(1 << 19);
+  require(two.level - one.level == one.level - cached.level && large.row - two.row == two.row - one.row, "octaves");
+  double before = 0;
+  for (size_t n = 1 << 16; n < size_t{1} << 21; n += 997) {
+    const double level = fitted.fitted(n).level;
+    require(level >= before, "%g at %zu particles, %g before", level, n, before);
+    before = level;
+  }
+  require(own.fitted(1 << 20).level == 3 && own.fitted(1 << 20).row == 5 && none.fitted(1 << 20).level == 0, "own");
+}
+
+void fitted_prices(void **) { assert_true(holds(0, check_fitted)); }
+
 }  // namespace
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(tests_are_counted),     cmocka_unit_test(rows_are_counted), cmocka_unit_test(prices_add_up),
-      cmocka_unit_test(threads_do_not_matter), cmocka_unit_test(extremes),         cmocka_unit_test(giant),
+      cmocka_unit_test(tests_are_counted),
+      cmocka_unit_test(rows_are_counted),
+      cmocka_unit_test(prices_add_up),
+      cmocka_unit_test(fitted_prices),
+      cmocka_unit_test(threads_do_not_matter),
+      cmocka_unit_test(extremes),
+      cmocka_unit_test(giant),
   };
   return cmocka_run_group_tests_name("work_cost", tests, nullptr, nullptr);
 }
