@@ -8,7 +8,7 @@ hgrid_build_dir=build
 # What the library, the Fortran module, the command and the benchmarks need, and what the tests and Python add.
 # shellcheck disable=SC2034  # the sourcing script uses the lists
 hgrid_build_packages=(gcc g++ gfortran cmake ninja-build pkg-config libcli11-dev libeigen3-dev libgmp-dev
-  libpugixml-dev libtomlplusplus-dev)
+  libpugixml-dev libtomlplusplus-dev zlib1g-dev)
 # shellcheck disable=SC2034  # the sourcing script uses the lists
 hgrid_test_packages=(binutils libcmocka-dev python3 python3-dev python3-numpy swig)
 # What hgrid_compare can compare the library with and hgrid_parts is made with (docs/evidence/benchmarks.md). Neither ./demo nor

@@ -4,13 +4,13 @@
 # Builds the fuzz targets with clang, address and undefined-behaviour sanitizers, into build-fuzz/, gives each so many
 # seconds of processor time and prints a table. What is found lies in build-fuzz/findings/; the exit code says whether
 # anything was. Run again it goes on from the corpus of the last time.
-# fuzz/run.sh [SECONDS (60)] [TARGET... (grid csv lammps xyz scene checkpoint)]
+# fuzz/run.sh [SECONDS (60)] [TARGET... (grid csv lammps xyz data vtp vtk scene checkpoint)]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 seconds=${1:-60}
 shift || true
 targets=("$@")
-((${#targets[@]} > 0)) || targets=(grid csv lammps xyz scene checkpoint)
+((${#targets[@]} > 0)) || targets=(grid csv lammps xyz data vtp vtk scene checkpoint)
 build=build-fuzz
 
 for tool in clang clang++ cmake ninja; do

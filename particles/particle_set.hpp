@@ -33,9 +33,15 @@ struct ParticleSet {
   int periodic[3]{};                  // only with a box
   double tilt[3]{};                   // of the box: xy, xz, yz of hg_grid_def
 
-  // Written where there are any; never read.
+  // Written where there are any. Of what is read: velocity and spin, if they are asked for.
   std::vector<Column> columns;
-  std::optional<Moment> moment;
+  std::optional<Moment> moment;  // never read
+
+  // Of a file, if they are asked for.
+  std::vector<std::string> ids, types;  // [count]
+  std::vector<std::string> unused;      // the names of the columns that were not read
+
+  std::vector<std::string> notes;  // what a file did not tell
 
   size_t count() const { return radii.size(); }
   bool is_tilted() const { return tilt[0] != 0 || tilt[1] != 0 || tilt[2] != 0; }

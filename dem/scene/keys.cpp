@@ -36,7 +36,7 @@ std::vector<Key> with_size_laws(const std::vector<Key> &others) {
 
 const char *format_list() {
   std::string list;
-  for (const particles::Format &format : particles::all_formats())
+  for (const particles::Format &format : particles::writable_formats())
     list += std::string(list.empty() ? "" : ", ") + format.name + " (" + format.title + ")";
   return kept(std::move(list));
 }
@@ -82,12 +82,14 @@ const std::vector<Key> &all_keys() {
       {{"", "title", Kind::kText, kPure, "none", "one line about the scene"},
        {"", "dimension", Kind::kCount, kPure, "3", "2 (discs) or 3 (spheres)"},
 
-       {"particles", "file", Kind::kText, kPure, "none", "a particle file, relative to the scene's folder"},
+       {"particles", "file", Kind::kText, kPure, "none",
+        "a particle file, relative to the scene's folder; velocities and spins in it count"},
        {"particles", "at", Kind::kList, kLength, "none", "centres, a list of vectors"},
        {"particles", "radius", Kind::kNumber, kLength, "needed for at and lattice",
         "of all particles of the group; of the smallest particle of a pack (1; table: as in it)"},
        {"particles", "density", Kind::kNumber, kDensity, "1", "of the material; per area in two dimensions (kg/m^2)"},
-       {"particles", "velocity", Kind::kVector, kVelocity, "0", "of all particles of the group"},
+       {"particles", "velocity", Kind::kVector, kVelocity, "0",
+        "of all particles of the group; added to those of a file"},
        {"particles", "spin", Kind::kVector, kSpin, "0",
         "angular velocity (with [friction]); one number in a list in 2D"},
        {"particles", "temperature", Kind::kNumber, kEnergy, "0",

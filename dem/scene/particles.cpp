@@ -62,6 +62,15 @@ void set_temperature(const Table &table, size_t first, dem::Setup &setup) {
   heat(table, temperature, first, setup);
 }
 
+// The vector of particle k in the file, if it has such, and that of the group. In two dimensions spins point along z.
+void append_motion(const particles::ParticleSet &set, const char *name, size_t k, const std::vector<double> &group,
+                   std::vector<double> &all) {
+  const double *own = nullptr;
+  for (const particles::Column &column : set.columns)
+    if (column.name == name) own = &column.values[3 * k + (group.size() == 1 ? 2 : 0)];
+  for (size_t axis = 0; axis < group.size(); axis++) all.push_back(group[axis] + (own != nullptr ? own[axis] : 0));
+}
+
 }  // namespace
 
 particles::ParticleSet add_particles(const Table &table, const std::string &folder, dem::Setup &setup) {
@@ -78,14 +87,18 @@ particles::ParticleSet add_particles(const Table &table, const std::string &fold
   if (table.has("spin") && !has(setup.effects, dem::kFriction)) {
     table.fail("spin", "without [friction] particles do not rotate");
   }
-  for (const double radius : set.radii) {
+  for (size_t k = 0; k < set.count(); k++) {
+    const double radius = set.radii[k];
     setup.radii.push_back(radius);
     setup.masses.push_back(fixed ? dem::kImmovable : density * volume(radius, setup.dimension));
-    setup.velocities.insert(setup.velocities.end(), velocity.begin(), velocity.end());
-    if (has(setup.effects, dem::kFriction)) setup.spins.insert(setup.spins.end(), spin.begin(), spin.end());
+    append_motion(set, "velocity", k, velocity, setup.velocities);
+    if (has(setup.effects, dem::kFriction)) append_motion(set, "spin", k, spin, setup.spins);
   }
   setup.centers.insert(setup.centers.end(), set.centers.begin(), set.centers.end());
   set_temperature(table, first, setup);
+  const bool has_spin = std::any_of(set.columns.begin(), set.columns.end(),
+                                    [](const particles::Column &column) { return column.name == "spin"; });
+  if (has_spin && !has(setup.effects, dem::kFriction)) set.unused.emplace_back("spin");
   return set;
 }
 

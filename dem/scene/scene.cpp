@@ -111,7 +111,8 @@ void read_output(const Table &top, const std::string &path, Scene &scene) {
   const auto output = top.part("output");
   if (!output) return;
   plan.directory = output->text("directory", plan.directory);
-  if (output->has("formats")) plan.formats = output->choices("formats", particles::names_of(particles::all_formats()));
+  if (output->has("formats"))
+    plan.formats = output->choices("formats", particles::names_of(particles::writable_formats()));
   plan.pictures = steps_of(*output, "every", scene.setup.time_step, 0);
   plan.energies = steps_of(*output, "energy", scene.setup.time_step, plan.energies);
   plan.checkpoints = steps_of(*output, "checkpoint", scene.setup.time_step, 0);
@@ -134,6 +135,8 @@ Scene read_scene(const std::string &path) {
   std::vector<particles::ParticleSet> sources;
   sources.reserve(groups.size());
   for (const Table &group : groups) sources.push_back(add_particles(group, folder, scene.setup));
+  for (const particles::ParticleSet &source : sources)
+    scene.unused.insert(scene.unused.end(), source.unused.begin(), source.unused.end());
   read_box(top, sources, scene.setup);
   add_shear_profile(scene.setup);
   read_run(top, scene);

@@ -26,6 +26,7 @@ struct Scene {
   uint64_t steps = 0;
   double shortest_contact = 0;
   OutputPlan output;
+  std::vector<std::string> unused;  // columns of its particle files
 };
 
 // Reads a scene and makes its particles. Throws dem::Error naming file and line of what is wrong.

@@ -78,6 +78,7 @@ particles::ParticleSet read_file(const Table &group, const std::string &folder, 
   const std::filesystem::path name = group.text("file", "");
   particles::ReadOptions options;
   options.dimension = setup.dimension;
+  options.motion = true;
   try {
     return particles::read_particles((std::filesystem::path(folder) / name).string(), options);
   } catch (const std::exception &error) {

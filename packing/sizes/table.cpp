@@ -4,42 +4,43 @@
 #include "packing/sizes/table.hpp"
 
 #include "particles/files/columns.hpp"
+#include "particles/files/header.hpp"
+#include "particles/files/reader.hpp"
 #include "particles/text/lists.hpp"
 #include "particles/text/number.hpp"
 #include "particles/text/text_file.hpp"
 
 #include <cstddef>
-#include <optional>
+#include <initializer_list>
 #include <string_view>
+#include <utility>
 
 namespace packing {
 namespace {
 
 using particles::in_quotes;
 
-// What a line holds and is not a comment.
-bool next_content(particles::LineCursor &cursor, std::string_view &line) {
-  while (cursor.next(line)) {
-    line = particles::trimmed(line);
-    if (!line.empty() && line.front() != '#') return true;
-  }
-  return false;
+// Columns of shares.
+constexpr std::initializer_list<const char *> kShares = {"passing", "volume", "number"};
+
+bool names_table(const std::vector<std::string> &names) {
+  return particles::has_name(names, kShares) && particles::has_name(names, {"radius", "r", "diameter", "d"});
 }
 
 class TableReader {
  public:
   explicit TableReader(particles::LineCursor &cursor) : cursor_(cursor) {
-    std::string_view header;
-    if (!next_content(cursor_, header)) cursor_.fail("no line names the columns (such as diameter,passing)");
-    columns_ = particles::columns_named(cursor_, header, "diameter,passing");
-    particles::find_size_column(cursor_, columns_);
-    table_.is_diameter = columns_.is_diameter;
+    std::string_view line;
+    if (!next_content(line)) cursor_.fail("no line names the columns (such as diameter,passing)");
+    const bool has_values = header_.take_line(cursor_, line, columns_);
+    find_size_column();
     find_share_column();
+    if (has_values) append(line);
   }
 
   SizeTable read() {
     std::string_view line;
-    while (next_content(cursor_, line)) append(line);
+    while (next_content(line)) append(line);
     if (table_.knots.size() < 2) cursor_.fail("a distribution needs two sizes or more");
     const double whole = table_.knots.back().share;
     if (whole != 100 && whole != 1)
@@ -51,11 +52,29 @@ class TableReader {
   }
 
  private:
+  // What a line holds that is not a comment.
+  bool next_content(std::string_view &line) {
+    while (cursor_.next(line)) {
+      line = particles::trimmed(line);
+      if (line.empty()) continue;
+      if (line.front() != '#') return true;
+      header_.take_comment(line);
+    }
+    return false;
+  }
+
+  void find_size_column() {
+    particles::find_size(cursor_, columns_, particles::ReadOptions());
+    if (columns_.diameter >= 0)
+      cursor_.fail("columns " + name(columns_.size) + " and " + name(columns_.diameter) + " both give the size");
+    table_.is_diameter = columns_.is_diameter;
+  }
+
   void find_share_column() {
-    for (const char *column : {"passing", "volume", "number"}) {
+    for (const char *column : kShares) {
       const int found = particles::find_column(cursor_, columns_, column);
       if (found < 0) continue;
-      if (share_ >= 0) cursor_.fail("columns " + name(share_) + " and " + in_quotes(column) + " both give the share");
+      if (share_ >= 0) cursor_.fail("columns " + name(share_) + " and " + name(found) + " both give the share");
       share_ = found;
       table_.measure = column[0] == 'n' ? Measure::kNumber : Measure::kVolume;
     }
@@ -89,6 +108,7 @@ class TableReader {
   }
 
   particles::LineCursor &cursor_;
+  particles::Header header_ = {"diameter,passing", names_table};
   particles::Columns columns_;
   int share_ = -1;  // column
   SizeTable table_;

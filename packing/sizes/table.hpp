@@ -19,7 +19,7 @@ struct SizeTable {
   double size_of(double radius) const { return is_diameter ? 2 * radius : radius; }
 };
 
-// Reads a CSV file (separators as in particle files): a column radius, r, diameter or d, ascending, and a column
+// Reads a CSV file (separators and names of columns as in particle files): one of sizes, ascending, and a column
 // passing or volume (by mass or volume) or number, the cumulative share of what is smaller, in percent up to 100 or in
 // parts up to 1. Throws particles::Error naming file, line and value of what is wrong.
 SizeTable read_size_table(const std::string &path);

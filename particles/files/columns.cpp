@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 namespace particles {
 namespace {
@@ -24,17 +26,6 @@ size_t skip_blanks(std::string_view line, size_t first) {
   return first;
 }
 
-char separator_of(std::string_view header) {
-  for (const char letter : {',', ';', '\t'})
-    if (header.find(letter) != std::string_view::npos) return letter;
-  return kBlanks;
-}
-
-std::string_view without_quotes(std::string_view name) {
-  if (name.size() >= 2 && name.front() == '"' && name.back() == '"') return name.substr(1, name.size() - 2);
-  return name;
-}
-
 }  // namespace
 
 std::vector<std::string_view> fields_of(std::string_view line, char separator) {
@@ -48,18 +39,6 @@ std::vector<std::string_view> fields_of(std::string_view line, char separator) {
   return fields;
 }
 
-Columns columns_named(const LineCursor &cursor, std::string_view header, const char *example) {
-  Columns columns;
-  columns.separator = separator_of(header);
-  for (const std::string_view name : fields_of(header, columns.separator))
-    columns.names.push_back(lower_case(without_quotes(name)));
-  double value = 0;
-  if (number_fault(columns.names.front(), value) == nullptr)
-    cursor.fail(std::string("the first line must name the columns (such as ") + example + "), but it holds " +
-                in_quotes(header));
-  return columns;
-}
-
 double number_in(const LineCursor &cursor, const Columns &columns, std::string_view field, int column) {
   double value = 0;
   const std::string_view text = columns.separator == kBlanks ? field : trimmed(field);
@@ -69,25 +48,89 @@ double number_in(const LineCursor &cursor, const Columns &columns, std::string_v
 }
 
 int find_column(const LineCursor &cursor, const Columns &columns, std::string_view name) {
-  int found = -1;
-  for (size_t k = 0; k < columns.names.size(); k++) {
-    if (columns.names[k] != name) continue;
-    if (found >= 0) cursor.fail("column " + in_quotes(name) + " is named twice");
-    found = static_cast<int>(k);
+  for (const bool any_case : {false, true}) {
+    int found = -1;
+    for (size_t k = 0; k < columns.names.size(); k++) {
+      if (columns.names[k] != name && !(any_case && lower_case(columns.names[k]) == lower_case(name))) continue;
+      if (found >= 0) cursor.fail("column " + in_quotes(name) + " is named twice");
+      found = static_cast<int>(k);
+    }
+    if (found >= 0) return found;
   }
+  return -1;
+}
+
+void rename_columns(const LineCursor &cursor, Columns &columns, const ReadOptions &options) {
+  if (options.header.empty()) return;
+  if (options.header.size() != columns.names.size())
+    cursor.fail(std::to_string(options.header.size()) + " names of columns were given, " +
+                in_quotes(joined(options.header)) + ", but there are " + std::to_string(columns.names.size()));
+  columns.names = options.header;
+}
+
+namespace {
+
+int asked_column(const LineCursor &cursor, const Columns &columns, std::string_view name) {
+  const int found = find_column(cursor, columns, name);
+  if (found < 0) cursor.fail("no column " + in_quotes(name) + " among " + in_quotes(joined(columns.names)));
   return found;
 }
 
-void find_size_column(const LineCursor &cursor, Columns &columns) {
-  for (const char *name : {"r", "radius", "d", "diameter"}) {
-    const int found = find_column(cursor, columns, name);
-    if (found < 0) continue;
-    if (columns.size >= 0)
-      cursor.fail("columns " + in_quotes(columns.names[static_cast<size_t>(columns.size)]) + " and " + in_quotes(name) +
-                  " both give the size");
-    columns.size = found;
-    columns.is_diameter = name[0] == 'd';
+// As a column or as a compute, variable, fix or property of LAMMPS.
+int find_size_column(const LineCursor &cursor, const Columns &columns, std::string_view name) {
+  for (const char *prefix : {"", "c_", "v_", "f_", "d_"}) {
+    const int found = find_column(cursor, columns, std::string(prefix).append(name));
+    if (found >= 0) return found;
   }
+  return -1;
+}
+
+int first_column(const LineCursor &cursor, const Columns &columns, std::initializer_list<const char *> names) {
+  int found = -1;
+  for (const char *name : names)
+    if (found < 0) found = find_size_column(cursor, columns, name);
+  return found;
+}
+
+void find_type(const LineCursor &cursor, Columns &columns, const std::string &purpose) {
+  for (const char *name : {"type", "species", "element"})
+    if (columns.type < 0) columns.type = find_column(cursor, columns, name);
+  if (columns.type < 0)
+    cursor.fail("no column type, species or element among " + in_quotes(joined(columns.names)) + purpose);
+}
+
+// Whether the options tell the size.
+bool take_asked_size(const LineCursor &cursor, Columns &columns, const ReadOptions &options) {
+  if (!options.type_radii.empty()) {
+    find_type(cursor, columns, " for the radii of types");
+    return true;
+  }
+  if (!options.diameter.empty()) {
+    columns.size = asked_column(cursor, columns, options.diameter);
+    columns.is_diameter = true;
+    return true;
+  }
+  if (options.radius.empty()) return false;
+  const bool is_number = number_fault(options.radius, columns.radius) == nullptr && columns.radius >= 0;
+  if (!is_number || find_column(cursor, columns, options.radius) >= 0)
+    columns.size = asked_column(cursor, columns, options.radius);
+  return true;
+}
+
+}  // namespace
+
+void find_size(const LineCursor &cursor, Columns &columns, const ReadOptions &options) {
+  if (take_asked_size(cursor, columns, options)) return;
+  columns.size = first_column(cursor, columns, {"radius", "radii"});
+  columns.diameter = first_column(cursor, columns, {"diameter", "diameters"});
+  if (columns.size < 0 && columns.diameter < 0) {
+    columns.size = first_column(cursor, columns, {"r"});
+    columns.diameter = first_column(cursor, columns, {"d"});
+  }
+  if (columns.size >= 0) return;
+  columns.is_diameter = true;
+  columns.size = columns.diameter;
+  columns.diameter = -1;
   if (columns.size < 0) cursor.fail("no column radius, r, diameter or d among " + in_quotes(joined(columns.names)));
 }
 
@@ -99,11 +142,84 @@ int settle_dimension(const LineCursor &cursor, const Columns &columns, int asked
   return columns.axis[2] < 0 ? 2 : 3;
 }
 
-RowReader::RowReader(const LineCursor &cursor, const Columns &columns, ParticleSet &particles)
-    : cursor_(cursor), columns_(columns), particles_(particles), slot_of_column_(columns.names.size(), kUnused) {
-  for (int axis = 0; axis < 3; axis++)
-    if (columns.axis[axis] >= 0) slot_of_column_[static_cast<size_t>(columns.axis[axis])] = Slot(axis);
-  slot_of_column_[static_cast<size_t>(columns.size)] = kSize;
+namespace {
+
+// What a vector is called before the letter or number of its axis.
+struct Motion {
+  const char *name;
+  std::initializer_list<const char *> stems;
+};
+
+const Motion kMotions[] = {{"velocity", {"v", "velocity_", "velo.", "velocity.", "velocities.", "vel.", "v."}},
+                           {"spin", {"omega", "spin_", "spin.", "angular_velocity.", "omega."}}};
+
+bool has_motion(const Columns &columns, int kind) {
+  const int *axis = columns.motion[kind];
+  return axis[0] >= 0 || axis[1] >= 0 || axis[2] >= 0;
+}
+
+// All components along axes that there are, else none.
+void find_motion(const LineCursor &cursor, Columns &columns, int kind) {
+  for (const std::string stem : kMotions[kind].stems) {
+    const char *axes = stem.back() == '.' ? "012" : "xyz";
+    int found[3];
+    for (int axis = 0; axis < 3; axis++) found[axis] = find_column(cursor, columns, stem + axes[axis]);
+    const bool is_plane = columns.axis[2] < 0;
+    if (found[0] < 0 || found[1] < 0 || (found[2] < 0 && !(is_plane && kind == 0))) continue;
+    std::copy_n(found, 3, columns.motion[kind]);
+    return;
+  }
+}
+
+}  // namespace
+
+void find_further_columns(const LineCursor &cursor, Columns &columns, const ReadOptions &options) {
+  if (options.ids) columns.id = asked_column(cursor, columns, "id");
+  if (options.types && columns.type < 0) find_type(cursor, columns, "");
+  for (int kind = 0; options.motion && kind < 2; kind++) find_motion(cursor, columns, kind);
+}
+
+RowReader::RowReader(const LineCursor &cursor, const Columns &columns, const ReadOptions &options,
+                     ParticleSet &particles)
+    : cursor_(cursor),
+      columns_(columns),
+      options_(options),
+      particles_(particles),
+      slot_of_column_(columns.names.size(), kUnused) {
+  for (int axis = 0; axis < 3; axis++) take(columns.axis[axis], Slot(axis));
+  take(columns.size, kSize);
+  take(columns.diameter, kDiameter);
+  take(columns.type, kType);
+  take(columns.id, kId);
+  for (int kind = 0; kind < 2; kind++) {
+    for (int axis = 0; axis < 3; axis++) take(columns.motion[kind][axis], Slot(kVelocity + 3 * kind + axis));
+    if (has_motion(columns, kind)) particles.columns.push_back({kMotions[kind].name, 3, {}});
+  }
+  if (!options.motion) return;
+  for (size_t k = 0; k < columns.names.size(); k++)
+    if (slot_of_column_[k] == kUnused) particles.unused.push_back(columns.names[k]);
+}
+
+void RowReader::take(int column, Slot slot) {
+  if (column < 0) return;
+  const auto place = static_cast<size_t>(column);
+  if (slot_of_column_[place] != kUnused)
+    cursor_.fail("column " + in_quotes(columns_.names[place]) + " cannot be a coordinate and the size");
+  slot_of_column_[place] = slot;
+}
+
+void RowReader::append_further(const std::string_view (&fields)[kSlots]) {
+  if (columns_.id >= 0) particles_.ids.emplace_back(without_quotes(trimmed(fields[kId])));
+  if (options_.types) particles_.types.emplace_back(without_quotes(trimmed(fields[kType])));
+  size_t place = 0;
+  for (int kind = 0; kind < 2; kind++) {
+    if (!has_motion(columns_, kind)) continue;
+    std::vector<double> &values = particles_.columns[place++].values;
+    for (int axis = 0; axis < 3; axis++) {
+      const int column = columns_.motion[kind][axis];
+      values.push_back(column < 0 ? 0 : number_in(cursor_, columns_, fields[kVelocity + 3 * kind + axis], column));
+    }
+  }
 }
 
 size_t RowReader::split(std::string_view line, std::string_view (&fields)[kSlots]) const {
@@ -120,6 +236,35 @@ size_t RowReader::split(std::string_view line, std::string_view (&fields)[kSlots
     first = separator == kBlanks ? skip_blanks(line, last) : last + 1;
   }
   return count;
+}
+
+double RowReader::size(std::string_view field, int column) const {
+  const double value = number_in(cursor_, columns_, field, column);
+  if (value < 0)
+    cursor_.fail(in_quotes(trimmed(field)) + " in column " + in_quotes(columns_.names[static_cast<size_t>(column)]) +
+                 " is negative");
+  return value;
+}
+
+double RowReader::radius_of_type(std::string_view type) const {
+  const auto found = options_.type_radii.find(type);
+  if (found != options_.type_radii.end()) return found->second;
+  std::string known;
+  for (const auto &[name, radius] : options_.type_radii) known += (known.empty() ? "" : ", ") + name;
+  cursor_.fail("no radius was given for the type " + in_quotes(type) + " but for " + in_quotes(known));
+}
+
+double RowReader::radius(const std::string_view (&fields)[kSlots]) const {
+  if (!options_.type_radii.empty()) return radius_of_type(without_quotes(trimmed(fields[kType])));
+  if (columns_.size < 0) return columns_.radius;
+  const double value = size(fields[kSize], columns_.size);
+  if (columns_.is_diameter) return value / 2;
+  // Far more than rounding: the columns are not what their names say.
+  constexpr double kSame = 0.01;
+  if (columns_.diameter >= 0 && std::fabs(size(fields[kDiameter], columns_.diameter) / 2 - value) > kSame * value)
+    cursor_.fail("the radius " + in_quotes(trimmed(fields[kSize])) + " is not half of the diameter " +
+                 in_quotes(trimmed(fields[kDiameter])) + ": say which column to take (--radius or --diameter)");
+  return value;
 }
 
 // Scaled coordinates count edges of the box, of which those of later axes may lean over.
@@ -153,12 +298,10 @@ void RowReader::append(std::string_view line) {
   if (count != slot_of_column_.size())
     cursor_.fail(std::to_string(count) + " values in " + in_quotes(line) + " where there should be " +
                  std::to_string(slot_of_column_.size()));
-  const double size = number_in(cursor_, columns_, fields[kSize], columns_.size);
-  if (size < 0)
-    cursor_.fail(in_quotes(trimmed(fields[kSize])) + " in column " +
-                 in_quotes(columns_.names[static_cast<size_t>(columns_.size)]) + " is negative");
+  const double size = radius(fields);
   append_center(fields);
-  particles_.radii.push_back(columns_.is_diameter ? size / 2 : size);
+  particles_.radii.push_back(size);
+  append_further(fields);
 }
 
 }  // namespace particles

@@ -1,14 +1,19 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables with a header line: CSV and its relatives. A header names the columns x, y, z (optional) and radius, r,
-// diameter or d, in any order and among others. Separators are commas, semicolons, tabs or blanks, as in the header.
+// diameter or d, in any order and among others; it may be a comment. Separators are commas, semicolons, tabs or blanks,
+// as in the first line.
 // Lines that begin with '#' are comments; the one that the writer leaves ("# box: ...") sets the box.
+#include "particles/error.hpp"
 #include "particles/files/columns.hpp"
+#include "particles/files/header.hpp"
 #include "particles/files/reader.hpp"
 #include "particles/text/number.hpp"
 #include "particles/text/output.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace particles {
 namespace {
@@ -17,12 +22,16 @@ namespace {
 // tilted "tilt" and xy, xz, yz.
 constexpr char kBoxComment[] = "# box:";
 
-Columns columns_of(const LineCursor &cursor, std::string_view header) {
-  Columns columns = columns_named(cursor, header, "x,y,z,radius");
+bool names_axes(const std::vector<std::string> &names) { return has_name(names, {"x"}) && has_name(names, {"y"}); }
+
+Header header_of_particles(bool known) { return {"x,y,z,radius", names_axes, known}; }
+
+void find_columns(const LineCursor &cursor, const ReadOptions &options, Columns &columns) {
+  rename_columns(cursor, columns, options);
   for (int axis = 0; axis < 3; axis++)
     columns.axis[axis] = find_column(cursor, columns, std::string_view("xyz").substr(static_cast<size_t>(axis), 1));
-  find_size_column(cursor, columns);
-  return columns;
+  find_size(cursor, columns, options);
+  find_further_columns(cursor, columns, options);
 }
 
 // "# box: xmin ymin zmin xmax ymax zmax periodic 0 0 0", or so and "tilt xy xz yz".
@@ -50,7 +59,30 @@ void read_box(const LineCursor &cursor, std::string_view line, ParticleSet &part
   particles.has_box = true;
 }
 
+void take_box(const LineCursor &cursor, std::string_view line, const ReadOptions &options, ParticleSet &particles) {
+  ParticleSet with_box = particles;
+  try {
+    read_box(cursor, line, with_box);
+    particles = std::move(with_box);
+  } catch (const Error &) {
+    if (options.needs_box) throw;
+  }
+}
+
 }  // namespace
+
+bool names_columns(std::string_view text) {
+  Header header = header_of_particles(false);
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::string_view content = trimmed(line.substr(0, line.find_last_not_of('\r') + 1));
+    const bool is_comment = !content.empty() && content.front() == '#';
+    if (is_comment && header.take_comment(content)) return true;
+    if (!content.empty() && !is_comment) return names_axes(names_in_line(content));
+  }
+  return false;
+}
 
 ParticleSet read_csv(const TextFile &file, const ReadOptions &options) {
   LineCursor cursor(file);
@@ -58,23 +90,27 @@ ParticleSet read_csv(const TextFile &file, const ReadOptions &options) {
   if (options.frame > 1)
     cursor.fail(0, "frame " + std::to_string(options.frame) + " of a CSV file, which has only one");
   Columns columns;
+  Header header = header_of_particles(!options.header.empty());
   std::optional<RowReader> rows;
   std::string_view line;
   while (cursor.next(line)) {
     if (line.substr(0, sizeof kBoxComment - 1) == kBoxComment) {
       if (particles.has_box) cursor.fail("a second box");
-      read_box(cursor, line, particles);
+      take_box(cursor, line, options, particles);
       continue;
     }
     const std::string_view content = trimmed(line);
+    if (!content.empty() && content.front() == '#') header.take_comment(content);
     if (content.empty() || content.front() == '#') continue;
     if (rows) {
       rows->append(line);
       continue;
     }
-    columns = columns_of(cursor, line);
+    const bool has_values = header.take_line(cursor, line, columns);
+    find_columns(cursor, options, columns);
     particles.dimension = settle_dimension(cursor, columns, options.dimension);
-    rows.emplace(cursor, columns, particles);
+    rows.emplace(cursor, columns, options, particles);
+    if (has_values) rows->append(line);
   }
   if (!rows) cursor.fail("no line names the columns (such as x,y,z,radius)");
   return particles;

@@ -12,7 +12,8 @@
 namespace particles {
 
 // Each in the file of its format.
-Reader read_csv, read_lammps, read_xyz;
+Reader read_csv, read_lammps, read_lammps_data, read_vtk, read_vtp, read_xyz;
+bool begins_lammps_data(std::string_view text);
 Writer write_csv, write_lammps, write_xyz, write_vtp;
 std::string loss_in_lammps(const ParticleSet &particles);
 std::string loss_in_xyz(const ParticleSet &particles);
@@ -29,6 +30,12 @@ bool begins_xyz(std::string_view text) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   size_t count = 0;
   return read_count(trimmed(line), count);
+}
+
+bool begins_vtk(std::string_view text) { return text.substr(0, 14) == "# vtk DataFile"; }
+
+bool begins_vtp(std::string_view text) {
+  return trimmed(text).substr(0, 1) == "<" && text.substr(0, 1000).find("<VTKFile") != std::string_view::npos;
 }
 
 template <class Test>
@@ -52,7 +59,12 @@ const std::vector<Format> &all_formats() {
        write_lammps, loss_in_lammps},
       {"xyz", "extended XYZ", ".xyz .extxyz", "Properties naming pos and radius", begins_xyz, read_xyz, write_xyz,
        loss_in_xyz},
-      {"vtp", "VTK PolyData", ".vtp", "", never, nullptr, write_vtp},
+      {"data", "LAMMPS data file", ".data .lmp", "Atoms # sphere, or another style and --type-radius",
+       begins_lammps_data, read_lammps_data, nullptr},
+      {"vtp", "VTK PolyData", ".vtp", "points and radius or diameter, also of an UnstructuredGrid", begins_vtp,
+       read_vtp, write_vtp},
+      {"vtk", "VTK legacy file", ".vtk", "points and radius or diameter of POLYDATA or an UNSTRUCTURED_GRID",
+       begins_vtk, read_vtk, nullptr},
   };
   return formats;
 }
@@ -62,6 +74,13 @@ std::vector<Format> readable_formats() {
   std::copy_if(all_formats().begin(), all_formats().end(), std::back_inserter(readable),
                [](const Format &format) { return format.read != nullptr; });
   return readable;
+}
+
+std::vector<Format> writable_formats() {
+  std::vector<Format> writable;
+  std::copy_if(all_formats().begin(), all_formats().end(), std::back_inserter(writable),
+               [](const Format &format) { return format.write != nullptr; });
+  return writable;
 }
 
 const Format *format_of_word(std::string_view word) {

@@ -25,18 +25,21 @@ struct Format {
   const char *needs;                      // what a file must hold to be read
   bool (*begins)(std::string_view text);  // whether the text of a file begins as only this format does
   Reader *read;                           // nullptr: files are only written
-  Writer *write;
+  Writer *write;                          // nullptr: files are only read
   // What of a set a file could not hold, "" if it can hold all.
   std::string (*loss)(const ParticleSet &particles) = [](const ParticleSet &) { return std::string(); };
 };
 
-// The first is what a file is taken for that nothing tells.
 const std::vector<Format> &all_formats();
 std::vector<Format> readable_formats();
+std::vector<Format> writable_formats();
 
 // Nothing is nullptr. By the name of a format; by the ending of a file's name; by what a text begins with.
 const Format *format_of_word(std::string_view word);
 const Format *format_of_name(std::string_view path);
 const Format *format_of_content(std::string_view text);
+
+// Whether a line before the rows names x and y, as in CSV.
+bool names_columns(std::string_view text);
 
 }  // namespace particles

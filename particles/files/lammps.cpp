@@ -18,6 +18,7 @@ namespace {
 struct Frame {
   size_t count = 0;
   Columns columns;
+  bool has_bounds = false;
   ParticleSet box;  // dimension 3, no particles
   LineCursor::Position rows;
 };
@@ -52,8 +53,11 @@ void take_off_overhang(const LineCursor &cursor, ParticleSet &box) {
 }
 
 // "BOX BOUNDS pp pp ff" and three lines "low high", or "BOX BOUNDS xy xz yz pp pp pp" and three lines "low high tilt".
-void read_bounds(LineCursor &cursor, std::string_view name, ParticleSet &box) {
+// A cell turned in space ("abc origin") is passed over where another box is used.
+void read_bounds(LineCursor &cursor, std::string_view name, const ReadOptions &options, ParticleSet &box) {
   std::vector<std::string_view> flags = split_words(name.substr(std::string_view("BOX BOUNDS").size()));
+  const bool is_turned = !options.needs_box && flags.size() == 5 && flags[0] == "abc" && flags[1] == "origin";
+  if (is_turned) flags.erase(flags.begin(), flags.begin() + 2);
   const bool is_tilted = flags.size() == 6 && flags[0] == "xy" && flags[1] == "xz" && flags[2] == "yz";
   if (is_tilted) flags.erase(flags.begin(), flags.begin() + 3);
   if (flags.empty()) cursor.fail("the boundary flags (such as pp pp ff) are missing");
@@ -63,6 +67,10 @@ void read_bounds(LineCursor &cursor, std::string_view name, ParticleSet &box) {
     if (flags[axis].size() != 2 || flags[axis].find_first_not_of("pfsm") != std::string_view::npos)
       cursor.fail("the boundary flag " + in_quotes(flags[axis]) + " is unknown");
     box.periodic[axis] = flags[axis] == "pp";
+  }
+  if (is_turned) {
+    cursor.skip(3);
+    return;
   }
   for (size_t axis = 0; axis < 3; axis++) {
     const std::string_view line = cursor.expect("a line of the box bounds");
@@ -99,7 +107,7 @@ void refuse_half_scaled(const LineCursor &cursor, const Columns &columns) {
 }
 
 // Reads the head of a frame up to the rows, which it leaves to the caller. False at the end of the file.
-bool read_head(LineCursor &cursor, Frame &frame) {
+bool read_head(LineCursor &cursor, const ReadOptions &options, Frame &frame) {
   bool has_count = false;
   std::string_view line;
   while (cursor.next(line)) {
@@ -112,20 +120,26 @@ bool read_head(LineCursor &cursor, Frame &frame) {
       has_count = read_count(count, frame.count);
       if (!has_count) cursor.fail("the number of atoms should stand here, not " + in_quotes(count));
     } else if (begins(name, "BOX BOUNDS")) {
-      read_bounds(cursor, name, frame.box);
+      read_bounds(cursor, name, options, frame.box);
+      frame.has_bounds = true;
     } else if (begins(name, "ATOMS")) {
-      if (!has_count || !frame.box.has_box) cursor.fail("NUMBER OF ATOMS and BOX BOUNDS must stand before ATOMS");
+      if (!has_count || !frame.has_bounds) cursor.fail("NUMBER OF ATOMS and BOX BOUNDS must stand before ATOMS");
       for (const std::string_view word : split_words(name.substr(5))) frame.columns.names.emplace_back(word);
+      rename_columns(cursor, frame.columns, options);
       for (int axis = 0; axis < 3; axis++) find_axis(cursor, frame.columns, axis);
+      const bool *scaled = frame.columns.scaled;
+      if (!frame.box.has_box && (scaled[0] || scaled[1] || scaled[2]))
+        cursor.fail("scaled coordinates need the file's box, whose edges point elsewhere");
       if (frame.box.is_tilted()) refuse_half_scaled(cursor, frame.columns);
-      find_size_column(cursor, frame.columns);
+      find_size(cursor, frame.columns, options);
+      find_further_columns(cursor, frame.columns, options);
       frame.rows = cursor.position();
       return true;
     } else {
       cursor.fail("the section " + in_quotes(name) + " is unknown");
     }
   }
-  if (has_count || frame.box.has_box) cursor.fail("the file ends here, the line 'ITEM: ATOMS ...' is missing");
+  if (has_count || frame.has_bounds) cursor.fail("the file ends here, the line 'ITEM: ATOMS ...' is missing");
   return false;
 }
 
@@ -134,10 +148,11 @@ bool read_head(LineCursor &cursor, Frame &frame) {
 }
 
 // The frame asked for, or the last; the cursor is put at its rows.
-Frame find_frame(LineCursor &cursor, long asked) {
+Frame find_frame(LineCursor &cursor, const ReadOptions &options) {
+  const long asked = options.frame;
   Frame chosen, frame;
   long found = 0;
-  while ((asked == 0 || found < asked) && read_head(cursor, frame)) {
+  while ((asked == 0 || found < asked) && read_head(cursor, options, frame)) {
     found++;
     chosen = std::move(frame);
     frame = Frame();
@@ -154,13 +169,13 @@ Frame find_frame(LineCursor &cursor, long asked) {
 
 ParticleSet read_lammps(const TextFile &file, const ReadOptions &options) {
   LineCursor cursor(file);
-  const Frame frame = find_frame(cursor, options.frame);
+  const Frame frame = find_frame(cursor, options);
   ParticleSet particles = frame.box;
   particles.dimension = settle_dimension(cursor, frame.columns, options.dimension);
   const size_t expected = std::min(frame.count, frame.columns.most_rows(cursor.bytes_left()));
   particles.centers.reserve(expected * static_cast<size_t>(particles.dimension));
   particles.radii.reserve(expected);
-  RowReader rows(cursor, frame.columns, particles);
+  RowReader rows(cursor, frame.columns, options, particles);
   std::string_view line;
   for (size_t k = 0; k < frame.count; k++) {
     if (!cursor.next(line)) fail_short(cursor, k, frame.count);

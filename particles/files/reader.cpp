@@ -4,18 +4,31 @@
 #include "particles/files/reader.hpp"
 
 #include "particles/error.hpp"
+#include "particles/text/number.hpp"
 #include "particles/text/text_file.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace particles {
 namespace {
 
+std::string first_line(std::string_view text) {
+  return in_quotes(text.substr(0, std::min(text.find('\n'), text.size())));
+}
+
+[[noreturn]] void fail_unknown(const TextFile &file) {
+  std::string message = "neither the content nor the name tells what kind of file this is. Looked for: ";
+  for (const Format &format : readable_formats()) message += std::string(format.title) + " with " + format.needs + "; ";
+  throw Error(file.name, 1, message + "but it begins with " + first_line(file.text));
+}
+
 const Format &recognise(const TextFile &file, const ReadOptions &options) {
   if (options.format != nullptr) return *options.format;
   if (const Format *by_content = format_of_content(file.text)) return *by_content;
-  const Format *by_name = format_of_name(file.name);
-  return by_name != nullptr ? *by_name : all_formats().front();
+  if (const Format *by_name = format_of_name(file.name)) return *by_name;
+  if (options.header.empty() && !names_columns(file.text)) fail_unknown(file);
+  return *format_of_word("csv");
 }
 
 }  // namespace

@@ -6,14 +6,25 @@
 #include "particles/files/format.hpp"
 #include "particles/particle_set.hpp"
 
+#include <functional>
+#include <map>
 #include <string>
+#include <vector>
 
 namespace particles {
 
 struct ReadOptions {
-  const Format *format = nullptr;  // nullptr: by content, then by the ending of the name, then CSV
-  long frame = 0;                  // of a file with several: 1 is the first, 0 the last
-  int dimension = 0;               // 0: as the file says; 2: leave z out, which must then be the same in all rows
+  const Format *format = nullptr;   // nullptr: by content, then by the ending of the name
+  long frame = 0;                   // of a file with several: 1 is the first, 0 the last
+  int dimension = 0;                // 0: as the file says; 2: leave z out, which must then be the same in all rows
+  std::vector<std::string> header;  // the names of the columns, instead of the file's
+  std::string radius;               // the column that holds it, or a number: of all particles
+  std::string diameter;             // the column that holds it
+  std::map<std::string, double, std::less<>> type_radii;  // the radius of each type
+  bool needs_box = true;  // false: another box is used, so a cell that no grid takes is passed over
+  bool motion = false;    // also velocity and spin, where there are such columns, and the names of those not read
+  bool ids = false;       // also the column id
+  bool types = false;     // also the column type
 };
 
 // Reads `path`; "-" is standard input. Shows progress on a terminal if the file is large.

@@ -6,43 +6,26 @@
 #include "particles/files/columns.hpp"
 #include "particles/files/reader.hpp"
 #include "particles/files/row_writer.hpp"
+#include "particles/files/xyz_keys.hpp"
 #include "particles/text/number.hpp"
 #include "particles/text/output.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 
 namespace particles {
 namespace {
 
-using Keys = std::map<std::string, std::string_view>;
-
-// key=value and key="value with blanks"; a word without '=' stands for true.
-Keys read_keys(const LineCursor &cursor, std::string_view line) {
-  Keys keys;
-  while (!(line = trimmed(line)).empty()) {
-    const size_t end = line.find_first_of("= \t");
-    const std::string key = lower_case(line.substr(0, end));
-    line.remove_prefix(std::min(end, line.size()));
-    std::string_view value = "T";
-    if (!line.empty() && line.front() == '=') {
-      line.remove_prefix(1);
-      const bool is_quoted = !line.empty() && line.front() == '"';
-      if (is_quoted) line.remove_prefix(1);
-      const size_t last = line.find_first_of(is_quoted ? "\"" : " \t");
-      if (is_quoted && last == std::string_view::npos)
-        cursor.fail("the quote after " + in_quotes(key) + " does not end");
-      value = line.substr(0, last);
-      line.remove_prefix(last == std::string_view::npos ? line.size() : last + 1);
-    }
-    if (!keys.emplace(key, value).second) cursor.fail("the key " + in_quotes(key) + " is given twice");
-  }
-  return keys;
+// The words of a list, with blanks or commas between.
+std::vector<std::string> list(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ' ');
+  const std::vector<std::string_view> words = split_words(text);
+  return {words.begin(), words.end()};
 }
 
-std::vector<double> numbers(const LineCursor &cursor, const std::string &key, std::string_view text, size_t count) {
+std::vector<double> numbers(const LineCursor &cursor, const std::string &key, const std::string &text, size_t count) {
   std::vector<double> values;
-  for (const std::string_view word : split_words(text)) {
+  for (const std::string &word : list(text)) {
     values.push_back(0);
     if (const char *fault = number_fault(word, values.back())) cursor.fail(key + ": " + in_quotes(word) + " " + fault);
   }
@@ -51,19 +34,30 @@ std::vector<double> numbers(const LineCursor &cursor, const std::string &key, st
   return values;
 }
 
-void read_lattice(const LineCursor &cursor, std::string_view text, const Keys &keys, ParticleSet &box) {
-  const std::vector<double> edges = numbers(cursor, "Lattice", text, 9);
+// Beside the longest edge an off-diagonal this short is what is left of the cosine of a right angle.
+constexpr double kRounding = 1e-12;
+
+void drop_rounding(std::vector<double> &edges) {
+  const double longest = std::max({std::fabs(edges[0]), std::fabs(edges[4]), std::fabs(edges[8])});
+  for (const size_t beside : {1, 2, 3, 5, 6, 7})
+    if (std::fabs(edges[beside]) <= kRounding * longest) edges[beside] = 0;
+}
+
+void read_lattice(const LineCursor &cursor, const std::string &text, const XyzKeys &keys, const ReadOptions &options,
+                  ParticleSet &box) {
+  std::vector<double> edges = numbers(cursor, "Lattice", text, 9);
+  drop_rounding(edges);
   std::vector<double> origin(3, 0.0);
-  if (const auto found = keys.find("origin"); found != keys.end()) origin = numbers(cursor, "Origin", found->second, 3);
-  for (const size_t above : {1, 2, 5})
-    if (edges[above] != 0)
-      cursor.fail("the cell must be lower triangular ('ax 0 0 bx by 0 cx cy cz'), but the Lattice is " +
-                  in_quotes(text));
+  if (const std::string *found = keys.find(cursor, "Origin")) origin = numbers(cursor, "Origin", *found, 3);
+  const bool is_turned = edges[1] != 0 || edges[2] != 0 || edges[5] != 0;
+  const bool is_negative = edges[0] < 0 || edges[4] < 0 || edges[8] < 0;
+  if (!options.needs_box && (is_turned || is_negative)) return;
+  if (is_turned)
+    cursor.fail("the cell must be lower triangular ('ax 0 0 bx by 0 cx cy cz'), but the Lattice is " + in_quotes(text));
+  if (is_negative) cursor.fail("the Lattice " + in_quotes(text) + " has a negative edge");
   for (size_t axis = 0; axis < 3; axis++) {
-    if (edges[4 * axis] < 0) cursor.fail("the Lattice " + in_quotes(text) + " has a negative edge");
     box.box_min[axis] = origin[axis];
     box.box_max[axis] = origin[axis] + edges[4 * axis];
-    box.periodic[axis] = 1;
   }
   box.tilt[0] = edges[3];
   box.tilt[1] = edges[6];
@@ -71,40 +65,46 @@ void read_lattice(const LineCursor &cursor, std::string_view text, const Keys &k
   box.has_box = true;
 }
 
-void read_box(const LineCursor &cursor, const Keys &keys, ParticleSet &box) {
-  if (const auto lattice = keys.find("lattice"); lattice != keys.end())
-    read_lattice(cursor, lattice->second, keys, box);
-  const auto pbc = keys.find("pbc");
-  if (pbc == keys.end()) return;
-  const std::vector<std::string_view> flags = split_words(pbc->second);
-  if (flags.size() != 3) cursor.fail("pbc must hold three flags, but it is " + in_quotes(pbc->second));
+bool is_true(const LineCursor &cursor, const std::string &word) {
+  const std::string flag = lower_case(word);
+  const bool is_periodic = flag == "t" || flag == "true" || flag == "1";
+  if (!is_periodic && flag != "f" && flag != "false" && flag != "0")
+    cursor.fail("pbc: the flag " + in_quotes(word) + " is neither T nor F");
+  return is_periodic;
+}
+
+void read_box(const LineCursor &cursor, const XyzKeys &keys, const ReadOptions &options, ParticleSet &box) {
+  const std::string *lattice = keys.find(cursor, "Lattice"), *pbc = keys.find(cursor, "pbc");
+  if (lattice != nullptr) {
+    read_lattice(cursor, *lattice, keys, options, box);
+    std::fill_n(box.periodic, 3, 1);
+  }
+  if (pbc == nullptr) return;
+  std::vector<std::string> flags = list(*pbc);
+  if (flags.size() == 1) flags.resize(3, flags.front());
+  if (flags.size() != 3) cursor.fail("pbc must hold three flags, or one for all axes, but it is " + in_quotes(*pbc));
   for (size_t axis = 0; axis < 3; axis++) {
-    const std::string flag = lower_case(flags[axis]);
-    const bool is_periodic = flag == "t" || flag == "true" || flag == "1";
-    if (!is_periodic && flag != "f" && flag != "false" && flag != "0")
-      cursor.fail("pbc: the flag " + in_quotes(flags[axis]) + " is neither T nor F");
-    if (is_periodic && !box.has_box) cursor.fail("pbc has a periodic axis, but there is no Lattice");
-    box.periodic[axis] = is_periodic;
+    box.periodic[axis] = is_true(cursor, flags[axis]);
+    if (box.periodic[axis] && lattice == nullptr && options.needs_box)
+      cursor.fail("pbc has a periodic axis, but there is no Lattice");
   }
 }
 
 // Properties=species:S:1:pos:R:3:radius:R:1
-Columns read_properties(const LineCursor &cursor, const Keys &keys) {
-  const auto found = keys.find("properties");
-  if (found == keys.end()) cursor.fail("no Properties=... that names pos and radius");
+Columns read_properties(const LineCursor &cursor, const std::string &properties) {
   Columns columns;
-  std::string_view text = found->second;
+  std::string_view text = properties;
   while (!text.empty()) {
     std::string_view part[3];
     for (std::string_view &piece : part) {
       piece = text.substr(0, text.find(':'));
       text.remove_prefix(std::min(piece.size() + 1, text.size()));
     }
-    const std::string name = lower_case(part[0]);
+    const std::string name(part[0]);
     size_t width = 0;
     if (name.empty() || !read_count(part[2], width) || width == 0 || width > 1000)
-      cursor.fail("Properties must be name:type:columns:..., but it is " + in_quotes(found->second));
-    if (name == "pos") {
+      cursor.fail("Properties must be name:type:columns:..., but it is " + in_quotes(properties));
+    if (lower_case(name) == "pos") {
       if (width != 2 && width != 3) cursor.fail("pos must have 2 or 3 columns, not " + in_quotes(part[2]));
       for (size_t axis = 0; axis < width; axis++) {
         columns.axis[axis] = static_cast<int>(columns.names.size());
@@ -115,8 +115,27 @@ Columns read_properties(const LineCursor &cursor, const Keys &keys) {
       for (size_t k = 0; width > 1 && k < width; k++) columns.names.push_back(name + "." + std::to_string(k));
     }
   }
-  if (columns.axis[0] < 0) cursor.fail("Properties " + in_quotes(found->second) + " does not name pos");
-  find_size_column(cursor, columns);
+  return columns;
+}
+
+// Without Properties the rows are those of plain XYZ, in which nothing tells the size.
+Columns read_columns(const LineCursor &cursor, const XyzKeys &keys, const ReadOptions &options) {
+  const std::string *properties = keys.find(cursor, "Properties");
+  const bool is_told = !options.header.empty() || !options.radius.empty() || !options.type_radii.empty();
+  if (properties == nullptr && !is_told) cursor.fail("no Properties=... that names pos and radius");
+  Columns columns;
+  if (properties != nullptr) {
+    columns = read_properties(cursor, *properties);
+    rename_columns(cursor, columns, options);
+  } else {
+    columns.names = options.header.empty() ? std::vector<std::string>{"species", "x", "y", "z"} : options.header;
+  }
+  const bool is_named = properties == nullptr || !options.header.empty();
+  for (int axis = 0; is_named && axis < 3; axis++)
+    columns.axis[axis] = find_column(cursor, columns, std::string(1, "xyz"[axis]));
+  if (columns.axis[0] < 0 && !is_named) cursor.fail("Properties " + in_quotes(*properties) + " does not name pos");
+  find_size(cursor, columns, options);
+  find_further_columns(cursor, columns, options);
   return columns;
 }
 
@@ -152,15 +171,15 @@ ParticleSet read_xyz(const TextFile &file, const ReadOptions &options) {
   size_t count = 0;
   const std::string_view first = trimmed(cursor.expect("the number of particles"));
   if (!read_count(first, count)) cursor.fail("the number of particles should stand here, not " + in_quotes(first));
-  const Keys keys = read_keys(cursor, cursor.expect("the line of keys"));
-  const Columns columns = read_properties(cursor, keys);
+  const XyzKeys keys(cursor, cursor.expect("the line of keys"));
+  const Columns columns = read_columns(cursor, keys, options);
   ParticleSet particles;
-  read_box(cursor, keys, particles);
+  read_box(cursor, keys, options, particles);
   particles.dimension = settle_dimension(cursor, columns, options.dimension);
   const size_t expected = std::min(count, columns.most_rows(cursor.bytes_left()));
   particles.centers.reserve(expected * static_cast<size_t>(particles.dimension));
   particles.radii.reserve(expected);
-  RowReader rows(cursor, columns, particles);
+  RowReader rows(cursor, columns, options, particles);
   std::string_view line;
   for (size_t k = 0; k < count; k++) {
     if (!cursor.next(line)) fail_short(cursor, k, count);
@@ -192,6 +211,11 @@ std::string loss_in_xyz(const ParticleSet &particles) {
       return std::string("extended XYZ stores a corner and an edge, which cannot hold the periodic box on axis ") +
              "xyz"[axis] + " exactly; write CSV or a LAMMPS dump";
   }
+  const double *low = particles.box_min, *high = particles.box_max;
+  const double longest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  for (const double edge : particles.tilt)
+    if (edge != 0 && std::fabs(edge) <= kRounding * longest)
+      return "extended XYZ cannot hold a tilt as small as rounding; write CSV or a LAMMPS dump";
   return "";
 }
 

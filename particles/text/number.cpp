@@ -13,6 +13,14 @@ namespace {
 
 constexpr size_t kLongestQuote = 40;
 
+// Fortran writes 1.0D-3: again with an e where reading stopped at the letter.
+std::from_chars_result read_fortran(const char *first, const char *letter, const char *last, double &value) {
+  std::string text(first, last);
+  text[static_cast<size_t>(letter - first)] = 'e';
+  const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(), value);
+  return {first + (result.ptr - text.data()), result.ec};
+}
+
 bool is_blank(char letter) { return letter == ' ' || letter == '\t'; }
 
 }  // namespace
@@ -22,7 +30,9 @@ const char *number_fault(std::string_view text, double &value) {
   const char *last = first + text.size();
   // from_chars knows no plus sign; one before a sign or a word must stay a fault.
   if (last - first > 1 && *first == '+' && (first[1] == '.' || (first[1] >= '0' && first[1] <= '9'))) first++;
-  const std::from_chars_result result = std::from_chars(first, last, value);
+  std::from_chars_result result = std::from_chars(first, last, value);
+  if (result.ptr != last && result.ptr != first && (*result.ptr == 'd' || *result.ptr == 'D'))
+    result = read_fortran(first, result.ptr, last, value);
   if (result.ptr != last || result.ec == std::errc::invalid_argument) return "is not a number";
   if (result.ec == std::errc::result_out_of_range) return "is out of the range of a double";
   if (!std::isfinite(value)) return "is not finite";
@@ -61,6 +71,11 @@ std::string lower_case(std::string_view text) {
   for (char &letter : result)
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
   return result;
+}
+
+std::string_view without_quotes(std::string_view text) {
+  const bool is_quoted = text.size() >= 2 && text.front() == text.back() && (text[0] == '"' || text[0] == '\'');
+  return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
 
 std::vector<std::string_view> split_words(std::string_view text) {

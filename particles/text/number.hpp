@@ -10,7 +10,8 @@
 
 namespace particles {
 
-// Reads all of `text` as a finite double. Returns nullptr, or what is wrong with it ("is not a number").
+// Reads all of `text` as a finite double, also with the D of Fortran (1.0D-3). Returns nullptr, or what is wrong with
+// it ("is not a number").
 const char *number_fault(std::string_view text, double &value);
 
 // Reads all of `text` as a whole number >= 0.
@@ -27,6 +28,9 @@ std::string_view trimmed(std::string_view text);
 
 // In ASCII lower case.
 std::string lower_case(std::string_view text);
+
+// Without the quotes, single or double, that it stands in.
+std::string_view without_quotes(std::string_view text);
 
 // The words between blanks and tabs.
 std::vector<std::string_view> split_words(std::string_view text);

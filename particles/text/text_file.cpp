@@ -32,6 +32,16 @@ size_t size_on_disk(const std::string &path) {
   return error ? 0 : static_cast<size_t>(size);
 }
 
+// Marks and line ends as every reader knows them. Throws Error for text of two bytes a letter.
+void make_plain(TextFile &file) {
+  std::string &text = file.text;
+  if (text.compare(0, 2, "\xFF\xFE") == 0 || text.compare(0, 2, "\xFE\xFF") == 0)
+    throw Error(file.name, 0, "the text is in UTF-16; save it in UTF-8");
+  if (text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0) text.erase(0, kByteOrderMark.size());
+  const bool is_text = text.find('\0') == std::string::npos;
+  if (is_text && text.find('\n') == std::string::npos) std::replace(text.begin(), text.end(), '\r', '\n');
+}
+
 }  // namespace
 
 TextFile load_text(const std::string &path) {
@@ -54,13 +64,12 @@ TextFile load_text(const std::string &path) {
   if (std::ferror(file.get())) throw Error(result.name, 0, std::string("cannot read: ") + std::strerror(errno));
   result.text.resize(used);
   if (used == 0) throw Error(result.name, 0, "the file is empty");
+  make_plain(result);
   return result;
 }
 
 LineCursor::LineCursor(const TextFile &file)
-    : file_(file), text_(file.text), progress_("parsing " + file.name, "bytes", file.text.size()) {
-  if (text_.substr(0, kByteOrderMark.size()) == kByteOrderMark) position_.offset = kByteOrderMark.size();
-}
+    : file_(file), text_(file.text), progress_("parsing " + file.name, "bytes", file.text.size()) {}
 
 bool LineCursor::next(std::string_view &line) {
   if (position_.offset >= text_.size()) return false;

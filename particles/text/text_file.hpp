@@ -16,7 +16,8 @@ struct TextFile {
   std::string text;
 };
 
-// Reads all of `path` ("-": standard input). Throws Error if it cannot be read or is empty.
+// Reads all of `path` ("-": standard input), without the mark of UTF-8; line ends that are CR alone become LF. Throws
+// Error if it cannot be read, is empty or in UTF-16.
 TextFile load_text(const std::string &path);
 
 class LineCursor {

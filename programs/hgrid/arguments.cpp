@@ -33,16 +33,22 @@ CLI::Validator positive_count() {
       ">=1");
 }
 
+std::vector<std::string> word_list(const std::string &text) {
+  std::vector<std::string> words;
+  for (size_t first = 0; !text.empty() && first <= text.size();) {
+    const size_t last = std::min(text.find(',', first), text.size());
+    words.emplace_back(particles::trimmed(std::string_view(text).substr(first, last - first)));
+    first = last + 1;
+  }
+  return words;
+}
+
 std::vector<double> number_list(const std::string &option, const std::string &text) {
   std::vector<double> values;
-  if (text.empty()) return values;
-  for (size_t first = 0; first <= text.size();) {
-    const size_t last = std::min(text.find(',', first), text.size());
-    const std::string_view word = particles::trimmed(std::string_view(text).substr(first, last - first));
+  for (const std::string &word : word_list(text)) {
     values.push_back(0);
     if (const char *fault = particles::number_fault(word, values.back()))
       throw CLI::ValidationError(option, particles::in_quotes(word) + " " + fault);
-    first = last + 1;
   }
   return values;
 }

@@ -5,11 +5,15 @@
 
 #include "particles/files/reader.hpp"
 #include "particles/text/lists.hpp"
+#include "particles/text/number.hpp"
 #include "programs/hgrid/arguments.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <map>
 
 namespace command {
 namespace {
@@ -51,6 +55,42 @@ void apply_periodic(const std::string &letters, particles::ParticleSet &particle
   }
 }
 
+std::map<std::string, double, std::less<>> type_radii(const std::string &text) {
+  std::map<std::string, double, std::less<>> radii;
+  for (const std::string &word : word_list(text)) {
+    const size_t sign = word.rfind('=');
+    if (sign == std::string::npos || sign == 0)
+      throw CLI::ValidationError("--type-radius", particles::in_quotes(word) + " is not TYPE=RADIUS");
+    const std::string number = word.substr(sign + 1);
+    double radius = 0;
+    if (const char *fault = particles::number_fault(number, radius))
+      throw CLI::ValidationError("--type-radius", particles::in_quotes(number) + " " + fault);
+    if (radius < 0) throw CLI::ValidationError("--type-radius", particles::in_quotes(number) + " is negative");
+    if (!radii.emplace(word.substr(0, sign), radius).second)
+      throw CLI::ValidationError("--type-radius",
+                                 "two radii for the type " + particles::in_quotes(word.substr(0, sign)));
+  }
+  return radii;
+}
+
+// Options for columns that do not tell by their names.
+void add_column_options(CLI::App &command, ParticleOptions &options, const std::string &group) {
+  command
+      .add_option("--header", options.header, "Names of all columns, such as id,x,y,z,radius, instead of the file's")
+      ->group(group);
+  auto *radius =
+      command.add_option("--radius", options.radius, "The column of the radius, or a number for all particles")
+          ->group(group);
+  auto *diameter =
+      command.add_option("--diameter", options.diameter, "The column of the diameter")->group(group)->excludes(radius);
+  command
+      .add_option("--type-radius", options.type_radius,
+                  "Radii by the column type (species, element), such as 1=0.5,2=0.1")
+      ->group(group)
+      ->excludes(radius)
+      ->excludes(diameter);
+}
+
 }  // namespace
 
 void add_particle_options(CLI::App &command, ParticleOptions &options) {
@@ -70,6 +110,7 @@ void add_particle_options(CLI::App &command, ParticleOptions &options) {
   command.add_option("--dimension", options.dimension, "2 leaves out a z that all particles share")
       ->check(CLI::IsMember({2, 3}))
       ->group(group);
+  add_column_options(command, options, group);
   command.add_option("--box", options.box, "XMIN,YMIN,ZMIN,XMAX,YMAX,ZMAX instead of the file's box")->group(group);
   command
       .add_option("--tilt", options.tilt,
@@ -88,7 +129,18 @@ particles::ParticleSet load_particles(const ParticleOptions &options) {
   read.format = particles::format_of_word(options.format);
   read.frame = options.frame;
   read.dimension = options.dimension;
+  read.header = word_list(options.header);
+  read.radius = options.radius;
+  read.diameter = options.diameter;
+  read.type_radii = type_radii(options.type_radius);
+  read.ids = options.ids;
+  read.types = options.types;
+  read.needs_box = options.box.empty() && !options.open;
   particles::ParticleSet particles = particles::read_particles(options.file, read);
+  // Only who says which axes are periodic knows what is missing.
+  if (options.periodic.empty() && !options.open)
+    for (const std::string &note : particles.notes)
+      std::fprintf(stderr, "hgrid: %s: note: %s\n", options.file.c_str(), note.c_str());
   if (!options.box.empty()) apply_box(options.box, particles);
   if (!options.tilt.empty()) apply_tilt(options.tilt, particles);
   if (!options.periodic.empty()) apply_periodic(options.periodic, particles);

@@ -211,6 +211,27 @@ void a_scene_says_what_it_means(void **) {
   assert_true(effects == dem::kGravity);
 }
 
+// Velocities and spins of a file are added to those of its group; what is not used is named.
+void files_bring_velocities(void **) {
+  const std::string table =
+      (std::filesystem::temp_directory_path() / ("hgrid-motion-" + std::to_string(getpid()))).string() + ".csv";
+  std::ofstream(table) << "ID,x,y,z,r,VX,VY,VZ,omegax,omegay,omegaz\n1,0,0,0,1,1,2,3,4,5,6\n2,3,0,0,1,-1,-2,-3,0,0,7\n";
+  const std::string text =
+      "[[particles]]\nfile = \"" + table + "\"\nvelocity = [10, 0, 0]\n[contact]\nstiffness = 1e4\n[time]\nsteps = 1\n";
+  bool plain = false, rotating = false;
+  {
+    const scene::Scene scene = read(text);
+    plain = scene.setup.velocities == std::vector<double>{11, 2, 3, 9, -2, -3} &&
+            scene.unused == std::vector<std::string>{"ID", "spin"};
+    const scene::Scene with_spin = read(text + "[friction]\ncoefficient = 0.3\n");
+    rotating = with_spin.setup.spins == std::vector<double>{4, 5, 6, 0, 0, 7} &&
+               with_spin.unused == std::vector<std::string>{"ID"};
+  }
+  std::filesystem::remove(table);
+  assert_true(plain);
+  assert_true(rotating);
+}
+
 std::string packed(const std::string &keys) {
   return "[[particles]]\npack = { count = 400, fraction = 0.3, sweeps = 1, " + keys +
          " }\n[contact]\nstiffness = 1\n[time]\nsteps = 1\n";
@@ -290,6 +311,7 @@ int main() {
       cmocka_unit_test(units_are_turned_to_si),
       cmocka_unit_test(wrong_units_are_refused),
       cmocka_unit_test(a_scene_says_what_it_means),
+      cmocka_unit_test(files_bring_velocities),
       cmocka_unit_test(scenes_take_every_law),
       cmocka_unit_test(scenes_take_tables_of_sizes),
       cmocka_unit_test(outputs_take_every_format),

@@ -47,6 +47,8 @@ void what_columns_mean(void **) {
   assert_true(holds(read("Note;Volume;R\na;0.5;3\nb;1;4\n"), Measure::kVolume, {{3, 0.5}, {4, 1}}));
   assert_true(holds(read("number radius\n0 1\n50 2\n50 3\n100 5\n100 7"), Measure::kNumber,
                     {{1, 0}, {2, 0.5}, {3, 0.5}, {5, 1}, {7, 1}}));
+  assert_true(holds(read("# number of sieves\n# Diameter passing\n# 1 mm\n1.0D0 0\n+4 1D2"), Measure::kVolume,
+                    {{0.5, 0}, {2, 1}}));
 }
 
 // What is said about a faulty file, without its path.
@@ -80,6 +82,10 @@ void faults_of_columns_are_named(void **) {
   assert_true(is_refused("#\n", ":1: no line names the columns (such as diameter,passing)"));
   assert_true(is_refused("d,retained\n", ":1: no column passing, volume or number among 'd, retained'"));
   assert_true(is_refused("d,passing,number\n", ":1: columns 'passing' and 'number' both give the share"));
+  assert_true(is_refused("D,Passing,NUMBER\n", ":1: columns 'Passing' and 'NUMBER' both give the share"));
+  assert_true(is_refused("radius,diameter,passing\n", ":1: columns 'radius' and 'diameter' both give the size"));
+  assert_true(is_refused("# d passing\n1 0 3\n",
+                         ":2: the first line must name the columns (such as diameter,passing), but it holds '1 0 3'"));
   assert_true(is_refused("sieve,passing\n", ":1: no column radius, r, diameter or d among 'sieve, passing'"));
   assert_true(is_refused("d,d,passing\n", ":1: column 'd' is named twice"));
   assert_true(is_refused("", ": the file is empty"));

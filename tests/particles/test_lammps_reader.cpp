@@ -83,6 +83,38 @@ bool reads_a_plane() {
                with_box(set_of(2, {1, 2, 0, 1}, {1, 1}), {-1, 0, 0}, {3, 4, 0}, {1, 0, 0}), of_dimension(2));
 }
 
+bool reads_names_in_any_case() {
+  const particles::ParticleSet two = boxed({1, 2, 1, 0, 1, 2}, {0.5, 0.25});
+  return reads(".dump", kHead + "ITEM: ATOMS X Y Z Radius\n1 2 1 0.5\n0 1 2 0.25\n", two) &&
+         reads(".dump", kHead + "ITEM: ATOMS x y z c_Radius\n1 2 1 0.5\n0 1 2 0.25\n", two) &&
+         reads(".dump", kHead + "ITEM: ATOMS x y z v_diameter\n1 2 1 1D0\n0 1 2 0.5\n", two);
+}
+
+bool reads_the_size_asked_for() {
+  const particles::ParticleSet two = boxed({1, 2, 1, 0, 1, 2}, {0.5, 0.25});
+  particles::ReadOptions variable, types, names;
+  variable.radius = "v_size";
+  types.type_radii = {{"1", 0.5}, {"2", 0.25}};
+  names.header = {"x", "y", "z", "r"};
+  return reads(".dump", kHead + "ITEM: ATOMS x y z v_size\n1 2 1 0.5\n0 1 2 0.25\n", two, variable) &&
+         reads(".dump", kHead + "ITEM: ATOMS type x y z\n1 1 2 1\n2 0 1 2\n", two, types) &&
+         reads(".dump", kHead + "ITEM: ATOMS c_1[1] c_1[2] c_1[3] v_2\n1 2 1 0.5\n0 1 2 0.25\n", two, names);
+}
+
+// The cell of "dump custom ... triclinic/general".
+bool passes_over_a_turned_box() {
+  particles::ReadOptions options;
+  options.needs_box = false;
+  const std::string head =
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS abc origin pp pp pp\n"
+      "0 4 0 0\n4 0 0 0\n0 0 4 0\nITEM: ATOMS ";
+  particles::ParticleSet one = set_of(3, {1, 2, 3}, {0.5});
+  for (int &flag : one.periodic) flag = 1;
+  return reads(".dump", head + "x y z radius\n1 2 3 0.5\n", one, options) &&
+         refuses(".dump", head + "xs ys zs radius\n1 2 3 0.5\n",
+                 "9: scaled coordinates need the file's box, whose edges point elsewhere", options);
+}
+
 bool refuses_bad_heads() {
   const std::string start = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n";
   return refuses_each(
@@ -136,6 +168,9 @@ int main() {
       cmocka_unit_test(passes<reads_a_plane>),
       cmocka_unit_test(passes<reads_tilted_boxes>),
       cmocka_unit_test(passes<reads_scaled_coordinates_in_tilted_boxes>),
+      cmocka_unit_test(passes<reads_names_in_any_case>),
+      cmocka_unit_test(passes<reads_the_size_asked_for>),
+      cmocka_unit_test(passes<passes_over_a_turned_box>),
       cmocka_unit_test(passes<refuses_bad_heads>),
       cmocka_unit_test(passes<refuses_missing_columns>),
       cmocka_unit_test(passes<refuses_bad_rows>),

@@ -51,6 +51,9 @@ particles::ParticleSet random_set(int dimension, size_t count) {
 
 const particles::Format &format(const char *word) { return *particles::format_of_word(word); }
 
+// Those that hold a box and are read and written.
+std::vector<particles::Format> boxed_formats() { return {format("csv"), format("lammps"), format("xyz")}; }
+
 bool survives(const particles::Format &format, const particles::ParticleSet &set,
               const particles::ReadOptions &options = {}) {
   const test::ScratchFile file(".any", "");
@@ -64,11 +67,12 @@ bool survives(const particles::Format &format, const particles::ParticleSet &set
 
 bool round_trip_without_box() {
   return survives(format("csv"), random_set(3, 500)) && survives(format("xyz"), random_set(3, 500)) &&
-         survives(format("csv"), random_set(2, 500));
+         survives(format("csv"), random_set(2, 500)) && survives(format("vtp"), random_set(3, 500)) &&
+         survives(format("vtp"), random_set(2, 500), of_dimension(2));
 }
 
 bool round_trip_with_box() {
-  const auto &formats = particles::readable_formats();
+  const std::vector<particles::Format> formats = boxed_formats();
   return std::all_of(formats.begin(), formats.end(), [](const particles::Format &format) {
     return survives(format, with_box(random_set(3, 500), {0, 0, -0.5}, {0.1, 1e-300, 0.5}, {1, 0, 1})) &&
            survives(format,
@@ -145,6 +149,10 @@ void formats_are_recognised(void **) {
   assert_true(is(particles::format_of_content("ITEM: TIMESTEP\n"), "lammps"));
   assert_true(is(particles::format_of_content("12\r\nProperties"), "xyz"));
   assert_null(particles::format_of_content("x,y,z\n"));
+  assert_true(is(particles::format_of_content("# vtk DataFile Version 3.0\n"), "vtk"));
+  assert_true(is(particles::format_of_content("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\">"), "vtp"));
+  assert_true(is(particles::format_of_content("LAMMPS data file\n\n12 atoms\n2 atom types\n"), "data"));
+  assert_null(particles::format_of_content("12 atoms\n"));
   // Its name is one of its endings: files of a run are called so.
   for (const particles::Format &format : particles::all_formats()) {
     assert_true(is(particles::format_of_word(format.name), format.name));
@@ -197,10 +205,29 @@ void further_columns_are_written(void **) {
 bool columns_are_skipped() {
   particles::ParticleSet expected = disks_in_motion();
   expected.box_max[2] = 0;
-  for (const particles::Format &format : particles::readable_formats()) {
+  for (const particles::Format &format : boxed_formats()) {
     const test::ScratchFile file(".any", text_of(format.name, disks_in_motion()));
     if (test::same(particles::read_particles(file.name(), of_dimension(2)), expected)) continue;
     std::fprintf(stderr, "format %s: not the same\n", format.name);
+    return false;
+  }
+  return true;
+}
+
+// What `hgrid run` takes of its own files, and what it names as not used.
+bool motion_is_read() {
+  particles::ReadOptions options = of_dimension(2);
+  options.motion = true;
+  particles::ParticleSet written = disks_in_motion();
+  for (const char *name : {"csv", "lammps", "xyz", "vtp"}) {
+    const test::ScratchFile file(".any", text_of(name, written));
+    const particles::ParticleSet found = particles::read_particles(file.name(), options);
+    const bool same = found.columns.size() == 2 && found.columns[0].name == "velocity" &&
+                      found.columns[0].values == written.columns[0].values && found.columns[1].name == "spin" &&
+                      found.columns[1].values == written.columns[2].values;
+    const auto &unused = found.unused;
+    if (same && std::find(unused.begin(), unused.end(), "mass") != unused.end()) continue;
+    std::fprintf(stderr, "format %s: other velocities, spins or names\n", name);
     return false;
   }
   return true;
@@ -220,7 +247,45 @@ bool unreadable_files_are_refused() {
   return refuses(".csv", "", " the file is empty") &&
          refuses_path("no/such/file.csv", ": cannot open: No such file or directory") &&
          refuses_path(".", ": cannot read: Is a directory") &&
-         refuses(".vtp", "<?xml", " VTK PolyData is only written, never read");
+         refuses(".vtp", "<?xml", "1: no sound XML: Error parsing document declaration/processing instruction");
+}
+
+// The same text as each kind of file, with every mark and line end.
+bool marks_and_line_ends_are_alike() {
+  const auto expected = with_box(test::set_of(3, {1, 2, 3, 4, 5, 6}, {0.5, 0.25}), {0, 0, 0}, {8, 8, 8}, {1, 1, 1});
+  for (const particles::Format &format : boxed_formats()) {
+    const std::string plain = text_of(format.name, expected);
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+      std::string text;
+      for (const char letter : plain) text += letter == '\n' ? end : std::string(1, letter);
+      if (!test::reads(".any", text, expected) || !test::reads(".any", "\xEF\xBB\xBF" + text + end + end, expected)) {
+        std::fprintf(stderr, "format %s\n", format.name);
+        return false;
+      }
+    }
+  }
+  return refuses(".csv", std::string("\xFF\xFEx\0,\0", 6), " the text is in UTF-16; save it in UTF-8");
+}
+
+// After the last row nothing may stand but blank lines.
+bool text_after_the_rows_is_refused() {
+  const auto set = with_box(test::set_of(3, {1, 2, 3}, {0.5}), {0, 0, 0}, {8, 8, 8}, {1, 1, 1});
+  return refuses(".any", text_of("csv", set) + "the end\n", "4: 1 values in 'the end' where there should be 4") &&
+         refuses(".any", text_of("xyz", set) + "the end\n",
+                 "4: the number of particles should stand here, not 'the end'") &&
+         refuses(".any", text_of("lammps", set) + "the end\n",
+                 "11: a line 'ITEM: ...' should stand here, not 'the end'");
+}
+
+bool unknown_files_are_named() {
+  std::string looked_for;
+  for (const particles::Format &format : particles::readable_formats())
+    looked_for += std::string(format.title) + " with " + format.needs + "; ";
+  const std::string message =
+      "1: neither the content nor the name tells what kind of file this is. Looked for: " + looked_for +
+      "but it begins with ";
+  return refuses(".h5", "\x89HDF\r\n\x1a\n", message + "'\x89HDF?'") &&
+         refuses(".pdb", "HEADER  A MOLECULE\nATOM 1\n", message + "'HEADER  A MOLECULE'");
 }
 
 bool refuses_output(const std::string &path, const std::string &message) {
@@ -264,9 +329,13 @@ int main() {
       cmocka_unit_test(formats_are_recognised),
       cmocka_unit_test(passes<a_forced_format_wins>),
       cmocka_unit_test(passes<unreadable_files_are_refused>),
+      cmocka_unit_test(passes<marks_and_line_ends_are_alike>),
+      cmocka_unit_test(passes<text_after_the_rows_is_refused>),
+      cmocka_unit_test(passes<unknown_files_are_named>),
       cmocka_unit_test(passes<unwritable_files_are_reported>),
       cmocka_unit_test(further_columns_are_written),
       cmocka_unit_test(passes<columns_are_skipped>),
+      cmocka_unit_test(passes<motion_is_read>),
       cmocka_unit_test(passes<long_output_is_complete>),
       cmocka_unit_test(passes<page_tells_all>),
   };

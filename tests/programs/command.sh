@@ -153,6 +153,16 @@ test_tilted() {
   "$hgrid" levels tilted.csv | grep -q "tilt 2.5 -3.75 1.25" || fault "levels does not tell the tilt"
   fails 1 "tilted.csv: the periodic box is tilted" slice tilted.csv --output slice.svg
   fails 1 "tilted.csv: HG_ERR_ARGUMENT: def.tilt[0] = 2.5" pairs tilted.csv --periodic yz
+  # A cell that no grid takes, read for its particles only.
+  sed 's/10 0 0 2.5 10/0 10 0 10 0/' tilted.xyz >turned.xyz
+  same_pairs "turned, open" open.txt turned.xyz --open
+  same_pairs "turned, another box" upright.txt turned.xyz --box 0,0,0,10,10,10
+  sed 's/"10 0 0 2.5 10 0 -3.75 1.25 10"/"10 0 0 6e-16 10 0 -6e-16 6e-16 10"/' tilted.xyz >rounded.xyz
+  same_pairs "rounded" upright.txt rounded.xyz
+  "$hgrid" pairs rounded.xyz --periodic y >/dev/null || fault "rounded, with open axes"
+  sed 's/ Properties/ pbc=F Properties/' tilted.xyz >closed.xyz
+  same_pairs "tilted, made open" open.txt closed.xyz
+  same_pairs "tilted, made periodic" nearest.txt closed.xyz --periodic xyz
 
   scatter 2 200 815 >plane.csv
   image_pairs plane.csv -4 0 0 | sort -u >nearest.txt
@@ -182,6 +192,103 @@ test_output() {
   printf 'ITEM: ATOMS id xs ys zs diameter\n1 0.0625 0 0 2\n2 0.9375 0 0 2\n' >>two.dump
   equal "dump across the box" "$("$hgrid" pairs two.dump)" "$(printf 'a,b\n0,1')"
   equal "dump, open" "$("$hgrid" pairs two.dump --open)" "a,b"
+}
+
+# Columns that do not tell by their names, through the options for them.
+test_columns() {
+  local expected
+  printf 'x,y,z,r\n0,0,0,1\n1.5,0,0,1\n5,0,0,3\n' >plain.csv
+  expected=$("$hgrid" pairs plain.csv --order id)
+  equal "three particles" "$expected" "$(printf 'a,b\n0,1\n1,2')"
+  printf '0 0 0 1\n1.5 0 0 1\n5 0 0 3\n' >bare.txt
+  printf 'A,B,C,size,kind\n0,0,0,1,1\n1.5,0,0,1,1\n5,0,0,3,two\n' >other.csv
+  equal "--header" "$("$hgrid" pairs bare.txt --order id --header x,y,z,r)" "$expected"
+  equal "--header, standard input" "$("$hgrid" pairs - --order id --header x,y,z,r <bare.txt)" "$expected"
+  equal "--header instead" "$("$hgrid" pairs other.csv --order id --header 'x, y, z, r, type')" "$expected"
+  equal "--radius" "$("$hgrid" pairs plain.csv --order id --radius R)" "$expected"
+  equal "--diameter" "$("$hgrid" pairs plain.csv --order id --diameter r)" "$(printf 'a,b')"
+  equal "--radius for all" "$("$hgrid" pairs plain.csv --order id --radius 2)" "$(printf 'a,b\n0,1\n1,2')"
+  equal "--type-radius" \
+    "$("$hgrid" pairs other.csv --order id --header x,y,z,size,type --type-radius 1=1,two=3)" "$expected"
+  fails 1 "other.csv:4: no radius was given for the type 'two' but for '1'" \
+    pairs other.csv --header x,y,z,size,type --type-radius 1=1
+  fails 1 "plain.csv:1: no column 'size' among 'x, y, z, r'" pairs plain.csv --radius size
+  fails 2 "--type-radius: 'one' is not a number" pairs plain.csv --type-radius 1=one
+  fails 2 "--type-radius: '-1' is negative" pairs plain.csv --type-radius 1=-1
+  fails 2 "--type-radius: '5' is not TYPE=RADIUS" pairs plain.csv --type-radius 5
+  fails 2 "--type-radius: two radii for the type '1'" pairs plain.csv --type-radius 1=1,1=2
+  fails 2 "excludes" pairs plain.csv --type-radius 1=1 --radius r
+  fails 1 "<stdin>:1: neither the content nor the name tells what kind of file this is" pairs - <bare.txt
+}
+
+# nearest FILE XY XZ YZ: the pairs of nearest images with distance, overlap and shift, by a look at all images around,
+# in the periodic cell of edge 10 with this tilt.
+nearest() {
+  awk -F, -v CONVFMT=%.17g -v xy="$2" -v xz="$3" -v yz="$4" '
+    NR == 1 { next }
+    { n = NR - 1; for (c = 1; c <= 3; ++c) x[n - 1, c] = $c; r[n - 1] = $NF }
+    END {
+      for (a = 0; a < n; ++a) for (b = a + 1; b < n; ++b) {
+        least = 1e9
+        for (i = -2; i <= 2; ++i) for (j = -1; j <= 1; ++j) for (k = -1; k <= 1; ++k) {
+          dx = x[b, 1] - x[a, 1] + 10 * i + xy * j + xz * k
+          dy = x[b, 2] - x[a, 2] + 10 * j + yz * k
+          dz = x[b, 3] - x[a, 3] + 10 * k
+          square = dx * dx + dy * dy + dz * dz
+          if (square < least) { least = square; shift = i "," j "," k }
+        }
+        if (least < (r[a] + r[b]) ^ 2) print a "," b "," sqrt(least) "," r[a] + r[b] - sqrt(least) "," shift
+      }
+    }' "$1"
+}
+
+test_pair_columns() {
+  printf 'x,y,z,r,ID,Species\n0,0,0,1,70,A\n1.5,0,0,1,8,"B"\n5,0,0,3,900,A\n' >named.csv
+  equal "ids" "$("$hgrid" pairs named.csv --order id --columns id)" "$(printf 'id_a,id_b\n70,8\n8,900')"
+  equal "types and places" "$("$hgrid" pairs named.csv --order id --base 1 --columns type,place)" \
+    "$(printf 'type_a,type_b,a,b\nA,B,1,2\nB,A,2,3')"
+  equal "distances" "$("$hgrid" pairs named.csv --order id --columns distance,overlap)" \
+    "$(printf 'distance,overlap\n1.5,0.5\n3.5,0.5')"
+  printf 'x,y,r\n0.5,5,1\n9.5,5,1\n' >plane.csv
+  equal "a plane" "$("$hgrid" pairs plane.csv --box 0,0,10,10 --periodic x --columns place,distance,shift)" \
+    "$(printf 'a,b,distance,shift_x,shift_y\n0,1,1,-1,0')"
+  scatter 3 300 4711 >set.csv
+  local tilt
+  for tilt in 0,0,0 2.5,-3.75,1.25; do
+    # shellcheck disable=SC2046
+    nearest set.csv $(tr , ' ' <<<"$tilt") >expected.txt
+    "$hgrid" pairs set.csv --order id --box 0,0,0,10,10,10 --periodic xyz --tilt $tilt \
+      --columns place,distance,overlap,shift | tail -n +2 >found.txt
+    [ "$(grep -vc ',0,0,0$' expected.txt)" -gt 20 ] || fault "too few contacts across the box"
+    paste -d, expected.txt found.txt | awk -F, '
+      function far(u, v) { return (u - v) ^ 2 > 1e-24 }
+      $1 != $8 || $2 != $9 || far($3, $10) || far($4, $11) { print "line " NR; exit 1 }
+      $5 != $12 || $6 != $13 || $7 != $14 { print "line " NR; exit 1 }
+    ' || fault "tilt $tilt: other distances or shifts"
+  done
+  fails 1 "four.csv:1: no column 'id' among 'x, y, z, r'" pairs four.csv --columns id
+  fails 1 "four.csv:1: no column type, species or element among 'x, y, z, r'" pairs four.csv --columns type
+  fails 2 "--columns" pairs four.csv --columns weight
+  fails 2 "shift is that of nearest images: not with --images all" pairs four.csv --columns shift --images all
+}
+
+# Files that do not tell everything: a note, unless the command line tells it.
+test_notes() {
+  {
+    printf 'a title\n\n2 atoms\n1 atom types\n0 10 xlo xhi\n0 10 ylo yhi\n0 10 zlo zhi\n\nAtoms # sphere\n\n'
+    printf '1 1 2 2500 0.5 5 5\n2 1 2 2500 9.5 5 5\n'
+  } >two.data
+  equal "open data file" "$("$hgrid" pairs two.data 2>note.txt)" "a,b"
+  equal "its note" "$(cat note.txt)" \
+    "hgrid: two.data: note: a LAMMPS data file does not tell which axes are periodic; all are taken as open"
+  equal "periodic data file" "$("$hgrid" pairs two.data --periodic x 2>note.txt)" "$(printf 'a,b\n0,1')"
+  equal "no note" "$(cat note.txt)" ""
+  printf 'id,x,y,z,r,vx,vy,vz\n1,0,0,0,1,1,0,0\n2,5,0,0,1,0,0,0\n' >moving.csv
+  printf '[[particles]]\nfile = "moving.csv"\n[contact]\nstiffness = 1e4\n[time]\nsteps = 1\n' >moving.toml
+  "$hgrid" run moving.toml --quiet >/dev/null 2>note.txt || fault "run with velocities of a file: $(cat note.txt)"
+  equal "what a run does not use" "$(cat note.txt)" \
+    "hgrid: moving.toml: note: of its particle files these columns are not used: id"
+  fails 2 "VTK legacy file is only read, never written" pack --count 10 --output pack.vtk
 }
 
 test_levels() {
@@ -269,6 +376,9 @@ test_scattered
 test_tilted
 test_all_images
 test_output
+test_columns
+test_pair_columns
+test_notes
 test_levels
 test_failures
 test_broken_output

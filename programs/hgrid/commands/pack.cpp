@@ -105,6 +105,8 @@ const particles::Format &format_of(const PackOptions &options) {
   if (format == nullptr) {
     throw CLI::ValidationError("--output", "'" + options.output + "' has no ending that tells a format: add --format");
   }
+  if (format->write == nullptr)
+    throw CLI::ValidationError("--output", std::string(format->title) + " is only read, never written");
   return *format;
 }
 
@@ -240,7 +242,7 @@ void add_law_options(CLI::App &command, PackOptions &options) {
 }
 
 void add_output_options(CLI::App &command, PackOptions &options) {
-  const std::vector<particles::Format> &formats = particles::all_formats();
+  const std::vector<particles::Format> formats = particles::writable_formats();
   std::string endings;
   for (const particles::Format &format : formats) endings += std::string(format.endings) + " ";
   command.add_option("-o,--output", options.output, "File to write: " + endings + "or - for standard output")

@@ -1,19 +1,24 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // hgrid pairs: the contacts of a particle file, written as CSV or counted.
+#include "particles/text/lists.hpp"
 #include "particles/text/output.hpp"
 #include "particles/text/progress.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/hgrid/grid_options.hpp"
+#include "programs/hgrid/nearest_image.hpp"
 #include "programs/hgrid/particle_options.hpp"
 #include "programs/measure/timing.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace command {
 namespace {
@@ -22,17 +27,107 @@ struct PairsOptions {
   ParticleOptions particles;
   GridOptions grid;
   std::string output = "-";
+  std::vector<std::string> columns = {"place"};
   bool count_only = false;
 };
 
-// Counts the pairs and writes them if there is an output.
-uint64_t take_pairs(hgrid::Grid &grid, particles::Output *out) {
+// One group of columns of the output.
+struct PairColumn {
+  const char *name, *meaning;
+  void (*head)(particles::Output &out, int dimension);
+  void (*write)(particles::Output &out, const PairsOptions &options, const particles::ParticleSet &set, size_t a,
+                size_t b, const Meeting &meeting);
+  bool needs_meeting;
+};
+
+const std::vector<PairColumn> &pair_columns() {
+  static const std::vector<PairColumn> columns = {
+      {"place", "a and b", [](particles::Output &out, int) { out << "a,b"; },
+       [](particles::Output &out, const PairsOptions &options, const particles::ParticleSet &, size_t a, size_t b,
+          const Meeting &) {
+         const auto base = static_cast<size_t>(options.grid.index_base);
+         out << a + base << ',' << b + base;
+       },
+       false},
+      {"id", "the column id of the file, of both", [](particles::Output &out, int) { out << "id_a,id_b"; },
+       [](particles::Output &out, const PairsOptions &, const particles::ParticleSet &set, size_t a, size_t b,
+          const Meeting &) { out << set.ids[a] << ',' << set.ids[b]; },
+       false},
+      {"type", "its column type, species or element, of both",
+       [](particles::Output &out, int) { out << "type_a,type_b"; },
+       [](particles::Output &out, const PairsOptions &, const particles::ParticleSet &set, size_t a, size_t b,
+          const Meeting &) { out << set.types[a] << ',' << set.types[b]; },
+       false},
+      {"distance", "of the centres, nearest image", [](particles::Output &out, int) { out << "distance"; },
+       [](particles::Output &out, const PairsOptions &, const particles::ParticleSet &, size_t, size_t,
+          const Meeting &meeting) { out << meeting.distance; },
+       true},
+      {"overlap", "both radii less the distance", [](particles::Output &out, int) { out << "overlap"; },
+       [](particles::Output &out, const PairsOptions &, const particles::ParticleSet &set, size_t a, size_t b,
+          const Meeting &meeting) { out << set.radii[a] + set.radii[b] - meeting.distance; },
+       true},
+      {"shift", "edges of the box from b to that image, along each axis",
+       [](particles::Output &out, int dimension) {
+         for (int axis = 0; axis < dimension; axis++)
+           out << (axis > 0 ? "," : "") << "shift_"
+               << "xyz"[axis];
+       },
+       [](particles::Output &out, const PairsOptions &, const particles::ParticleSet &set, size_t, size_t,
+          const Meeting &meeting) {
+         for (int axis = 0; axis < set.dimension; axis++) out << (axis > 0 ? "," : "") << meeting.shift[axis];
+       },
+       true},
+  };
+  return columns;
+}
+
+// What is written of each pair.
+class PairWriter {
+ public:
+  PairWriter(const PairsOptions &options, const particles::ParticleSet &set) : options_(options), set_(set) {
+    for (const std::string &name : options.columns) {
+      const auto found = std::find_if(pair_columns().begin(), pair_columns().end(),
+                                      [&](const PairColumn &column) { return column.name == name; });
+      columns_.push_back(&*found);
+      needs_meeting_ = needs_meeting_ || found->needs_meeting;
+    }
+  }
+
+  void write_head(particles::Output &out) const {
+    for (const PairColumn *column : columns_) {
+      if (column != columns_.front()) out << ',';
+      column->head(out, set_.dimension);
+    }
+    out << '\n';
+  }
+
+  void write(particles::Output &out, const hg_pair &pair) const {
+    const auto a = static_cast<size_t>(pair.a - options_.grid.index_base);
+    const auto b = static_cast<size_t>(pair.b - options_.grid.index_base);
+    Meeting meeting{};
+    if (needs_meeting_) meeting = nearest_image(set_, a, b, set_.radii[a] + set_.radii[b] + options_.grid.margin);
+    for (const PairColumn *column : columns_) {
+      if (column != columns_.front()) out << ',';
+      column->write(out, options_, set_, a, b, meeting);
+    }
+    out << '\n';
+  }
+
+ private:
+  const PairsOptions &options_;
+  const particles::ParticleSet &set_;
+  std::vector<const PairColumn *> columns_;
+  bool needs_meeting_ = false;
+};
+
+// Counts the pairs, and hands each on.
+template <class Take>
+uint64_t take_pairs(hgrid::Grid &grid, Take take) {
   particles::Progress progress("searching", "contacts", 0);
   uint64_t count = 0;
   grid.visit_pairs([&](hgrid::View<hg_pair> pairs) {
     count += pairs.size();
-    if (out != nullptr)
-      for (const hg_pair &pair : pairs) *out << pair.a << ',' << pair.b << '\n';
+    for (const hg_pair &pair : pairs) take(pair);
     progress.update(count);
   });
   return count;
@@ -42,7 +137,7 @@ void print_count(hgrid::Grid &grid, size_t particles) {
   const auto start = std::chrono::steady_clock::now();
   grid.build();
   const double build = measure::seconds_since(start);
-  const uint64_t count = take_pairs(grid, nullptr);
+  const uint64_t count = take_pairs(grid, [](const hg_pair &) {});
   const double total = measure::seconds_since(start);
 
   const double number = static_cast<double>(particles);
@@ -62,7 +157,18 @@ void print_count(hgrid::Grid &grid, size_t particles) {
   out.close();
 }
 
-void run(const PairsOptions &options) {
+bool has_column(const PairsOptions &options, const char *name) {
+  return std::find(options.columns.begin(), options.columns.end(), name) != options.columns.end();
+}
+
+void run(PairsOptions &options) {
+  options.particles.ids = has_column(options, "id");
+  options.particles.types = has_column(options, "type");
+  for (const PairColumn &column : pair_columns())
+    if (column.needs_meeting && options.grid.images == "all" && has_column(options, column.name))
+      throw CLI::ValidationError("--columns", std::string(column.name) +
+                                                  " is that of nearest images: not with "
+                                                  "--images all");
   const particles::ParticleSet particles = load_particles(options.particles);
   hgrid::Grid grid = filled_grid(options.grid, particles, options.particles.file);
   if (options.count_only) {
@@ -72,8 +178,9 @@ void run(const PairsOptions &options) {
   // Built first: what the library refuses then must not cost the file that is overwritten.
   grid.build();
   particles::Output out(options.output);
-  out << "a,b\n";
-  take_pairs(grid, &out);
+  const PairWriter writer(options, particles);
+  writer.write_head(out);
+  take_pairs(grid, [&](const hg_pair &pair) { writer.write(out, pair); });
   out.close();
 }
 
@@ -89,7 +196,15 @@ void add_pairs(CLI::App &parent) {
                                  "Where the contacts go: CSV with the columns a,b, a < b (a <= b with --images all);\n"
                                  "- for standard output")
                      ->capture_default_str();
-  command.add_flag("--count", options->count_only, "Only count them, and tell the time it took")->excludes(output);
+  std::string meanings = "What is written of each contact, with commas between:";
+  for (const PairColumn &column : pair_columns()) meanings += std::string("\n") + column.name + ": " + column.meaning;
+  auto *columns = command.add_option("--columns", options->columns, meanings)
+                      ->delimiter(',')
+                      ->check(CLI::IsMember(particles::names_of(pair_columns())))
+                      ->default_str("place");
+  command.add_flag("--count", options->count_only, "Only count them, and tell the time it took")
+      ->excludes(output)
+      ->excludes(columns);
   command
       .add_option("--base", options->grid.index_base, "The number of the first particle of the file in a and b: 0 or 1")
       ->capture_default_str()
@@ -106,7 +221,8 @@ void add_pairs(CLI::App &parent) {
       "  hgrid pairs packing.xyz --margin 0.1 --order id --base 1\n"
       "  hgrid pairs open.csv --box 0,0,0,1,1,1 --periodic xy\n"
       "  hgrid pairs sheared.csv --box 0,0,0,1,1,1 --periodic xyz --tilt 0.25,0,0\n"
-      "  hgrid pairs crystal.xyz --touching --images all");
+      "  hgrid pairs crystal.xyz --touching --images all\n"
+      "  hgrid pairs dump.lammpstrj --columns id,distance,shift");
   command.callback([options] { run(*options); });
 }
 

@@ -7,6 +7,7 @@
 #include "dem/scene/scene.hpp"
 #include "particles/error.hpp"
 #include "particles/text/formatted.hpp"
+#include "particles/text/lists.hpp"
 #include "particles/text/status_line.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/hgrid/interrupt.hpp"
@@ -183,6 +184,9 @@ void run_scene(const RunOptions &options) {
   if (!options.directory.empty()) scene.output.directory = options.directory;
   const std::unique_ptr<dem::Engine> engine = dem::make_engine(scene.setup, scene.precision);
   if (!options.restart.empty()) engine->restore(dem::Checkpoint::read(options.restart));
+  if (!scene.unused.empty())
+    std::fprintf(stderr, "hgrid: %s: note: of its particle files these columns are not used: %s\n",
+                 options.scene.c_str(), particles::joined(scene.unused).c_str());
   print_scene(scene, options.scene);
   std::fflush(stdout);
   output::Recorder recorder(scene.output.directory, scene.output.formats, scene.setup, engine->steps_done());
