@@ -255,7 +255,7 @@ Shift StoredCandidates::boxes(size_t p, const ParticleStore &store) const {
   const double *center = store.center(slot_[p]);
   Shift boxes = domain.boxes(center);
   if (!moved_) return boxes;
-  double quanta[3];
+  double quanta[3] = {0, 0, 0};
   map.find_quanta(center, domain.dimension, quanta);
   Shift back;
   for (int axis = domain.dimension - 1; axis >= 0; axis--) {
