@@ -10,7 +10,7 @@
 namespace hg {
 namespace {
 
-constexpr uint32_t kTogether = 256;                       // particles whose images are made together
+constexpr uint32_t kTogether = 256;                               // particles whose images are made together
 constexpr size_t kMostFound = size_t{kTogether} * (kImages / 2);  // by steps of -1, 0 or 1, in one direction
 
 // Numbers of shifts.

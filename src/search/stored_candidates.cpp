@@ -258,7 +258,7 @@ Shift StoredCandidates::boxes(size_t p, const ParticleStore &store) const {
   double quanta[3] = {0, 0, 0};
   map.find_quanta(center, domain.dimension, quanta);
   Shift back;
-  for (int axis = domain.dimension - 1; axis >= 0; axis--) {
+  for (int axis = 2; axis >= 0; axis--) {
     if (!domain.periodic[axis]) continue;
     const double here = quanta[axis] + domain.shifted(axis, back) * map.scale;
     back.n[axis] = static_cast<int32_t>(edges_back(here - start_place(p, axis), domain.length[axis] * map.scale));
