@@ -269,7 +269,11 @@ test_pair_columns() {
   fails 1 "four.csv:1: no column 'id' among 'x, y, z, r'" pairs four.csv --columns id
   fails 1 "four.csv:1: no column type, species or element among 'x, y, z, r'" pairs four.csv --columns type
   fails 2 "--columns" pairs four.csv --columns weight
-  fails 2 "shift is that of nearest images: not with --images all" pairs four.csv --columns shift --images all
+  # Each image of a particle alone, by opposite shifts once: those along the axes, and along the diagonals of a face.
+  printf 'x,y,r\n0.25,0.5,0.75\n' >lone.csv
+  equal "images of one" "$("$hgrid" pairs lone.csv --box 0,0,1,1 --periodic xy --images all --order id \
+    --columns place,distance,shift | sed 's/1.41421356237309[0-9]*/root/')" \
+    "$(printf 'a,b,distance,shift_x,shift_y\n0,0,root,-1,1\n0,0,1,0,1\n0,0,1,1,0\n0,0,root,1,1')"
 }
 
 # Files that do not tell everything: a note, unless the command line tells it.

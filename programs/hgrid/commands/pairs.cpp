@@ -6,7 +6,6 @@
 #include "particles/text/progress.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/hgrid/grid_options.hpp"
-#include "programs/hgrid/nearest_image.hpp"
 #include "programs/hgrid/particle_options.hpp"
 #include "programs/measure/timing.hpp"
 
@@ -14,6 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -29,6 +29,12 @@ struct PairsOptions {
   std::string output = "-";
   std::vector<std::string> columns = {"place"};
   bool count_only = false;
+};
+
+// From a to the image of b that it meets.
+struct Meeting {
+  double distance;
+  const int32_t *shift;  // [dimension], whole edges of the box
 };
 
 // One group of columns of the output.
@@ -58,7 +64,8 @@ const std::vector<PairColumn> &pair_columns() {
        [](particles::Output &out, const PairsOptions &, const particles::ParticleSet &set, size_t a, size_t b,
           const Meeting &) { out << set.types[a] << ',' << set.types[b]; },
        false},
-      {"distance", "of the centres, nearest image", [](particles::Output &out, int) { out << "distance"; },
+      {"distance", "of the centres, b by the image that a meets",
+       [](particles::Output &out, int) { out << "distance"; },
        [](particles::Output &out, const PairsOptions &, const particles::ParticleSet &, size_t, size_t,
           const Meeting &meeting) { out << meeting.distance; },
        true},
@@ -101,11 +108,11 @@ class PairWriter {
     out << '\n';
   }
 
-  void write(particles::Output &out, const hg_pair &pair) const {
+  bool needs_meeting() const { return needs_meeting_; }
+
+  void write(particles::Output &out, const hg_pair &pair, const Meeting &meeting) const {
     const auto a = static_cast<size_t>(pair.a - options_.grid.index_base);
     const auto b = static_cast<size_t>(pair.b - options_.grid.index_base);
-    Meeting meeting{};
-    if (needs_meeting_) meeting = nearest_image(set_, a, b, set_.radii[a] + set_.radii[b] + options_.grid.margin);
     for (const PairColumn *column : columns_) {
       if (column != columns_.front()) out << ',';
       column->write(out, options_, set_, a, b, meeting);
@@ -131,6 +138,18 @@ uint64_t take_pairs(hgrid::Grid &grid, Take take) {
     progress.update(count);
   });
   return count;
+}
+
+// The pairs with what leads from one to the other, which the library keeps as a list.
+void write_meetings(hgrid::Grid &grid, int dimension, const PairWriter &writer, particles::Output &out) {
+  const hgrid::View<hg_pair> pairs = grid.query_pairs();
+  const hgrid::PairVectors beside = grid.query_pair_vectors();
+  for (size_t p = 0; p < pairs.size(); p++) {
+    const size_t at = p * static_cast<size_t>(dimension);
+    const double *d = beside.vectors.data() + at;
+    const double distance = dimension == 3 ? std::hypot(d[0], d[1], d[2]) : std::hypot(d[0], d[1]);
+    writer.write(out, pairs[p], {distance, beside.shifts.data() + at});
+  }
 }
 
 void print_count(hgrid::Grid &grid, size_t particles) {
@@ -164,11 +183,6 @@ bool has_column(const PairsOptions &options, const char *name) {
 void run(PairsOptions &options) {
   options.particles.ids = has_column(options, "id");
   options.particles.types = has_column(options, "type");
-  for (const PairColumn &column : pair_columns())
-    if (column.needs_meeting && options.grid.images == "all" && has_column(options, column.name))
-      throw CLI::ValidationError("--columns", std::string(column.name) +
-                                                  " is that of nearest images: not with "
-                                                  "--images all");
   const particles::ParticleSet particles = load_particles(options.particles);
   hgrid::Grid grid = filled_grid(options.grid, particles, options.particles.file);
   if (options.count_only) {
@@ -180,7 +194,11 @@ void run(PairsOptions &options) {
   particles::Output out(options.output);
   const PairWriter writer(options, particles);
   writer.write_head(out);
-  take_pairs(grid, [&](const hg_pair &pair) { writer.write(out, pair); });
+  if (writer.needs_meeting()) {
+    write_meetings(grid, particles.dimension, writer, out);
+  } else {
+    take_pairs(grid, [&](const hg_pair &pair) { writer.write(out, pair, {}); });
+  }
   out.close();
 }
 
