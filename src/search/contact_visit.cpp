@@ -23,14 +23,16 @@ ContactVisit::ContactVisit(const PairGeometry &geometry, const ParticleStore &st
   for (size_t axis = 0; axis < dimension_; axis++) component_[axis].require(HG_MAX_BATCH);
 }
 
-bool ContactVisit::take(const hg_pair *pairs, size_t count) {
+// vector_of(pair, a, b, room) is the vector of a pair of slots a and b, where it is kept or in the room.
+template <class VectorOf>
+bool ContactVisit::take_each(const hg_pair *pairs, size_t count, VectorOf &&vector_of) {
   for (size_t first = 0; first < count; first += HG_MAX_BATCH) {
     const size_t batch = std::min<size_t>(HG_MAX_BATCH, count - first);
     for (size_t k = 0; k < batch; k++) {
       const hg_pair pair = pairs[first + k];
       const size_t a = store_.slot(pair.a), b = store_.slot(pair.b);
-      double vector[3];
-      geometry_.find(a, b, vector);
+      double room[3];
+      const double *vector = vector_of(first + k, a, b, room);
       a_[k] = pair.a;
       b_[k] = pair.b;
       for (size_t axis = 0; axis < dimension_; axis++) component_[axis][k] = vector[axis];
@@ -41,20 +43,15 @@ bool ContactVisit::take(const hg_pair *pairs, size_t count) {
   return true;
 }
 
+bool ContactVisit::take(const hg_pair *pairs, size_t count) {
+  return take_each(pairs, count, [this](size_t, size_t a, size_t b, double *room) {
+    geometry_.find(a, b, room);
+    return room;
+  });
+}
+
 bool ContactVisit::take(const hg_pair *pairs, const double *vectors, size_t count) {
-  for (size_t first = 0; first < count; first += HG_MAX_BATCH) {
-    const size_t batch = std::min<size_t>(HG_MAX_BATCH, count - first);
-    for (size_t k = 0; k < batch; k++) {
-      const hg_pair pair = pairs[first + k];
-      const double *vector = vectors + (first + k) * dimension_;
-      a_[k] = pair.a;
-      b_[k] = pair.b;
-      for (size_t axis = 0; axis < dimension_; axis++) component_[axis][k] = vector[axis];
-      reach_[k] = geometry_.reach(store_.slot(pair.a), store_.slot(pair.b));
-    }
-    if (!hand_over(batch)) return false;
-  }
-  return true;
+  return take_each(pairs, count, [=](size_t pair, size_t, size_t, double *) { return vectors + pair * dimension_; });
 }
 
 bool ContactVisit::hand_over(size_t count) {

@@ -23,6 +23,8 @@ class ContactVisit {
   bool take(const hg_pair *pairs, const double *vectors, size_t count);
 
  private:
+  template <class VectorOf>
+  bool take_each(const hg_pair *pairs, size_t count, VectorOf &&vector_of);
   bool hand_over(size_t count);
 
   const PairGeometry &geometry_;
