@@ -78,12 +78,9 @@ void ParticleStore::set(size_t count, const double *centers, const double *radii
   InputSummary found{};
   if (count > 0) {
     found = check_.check({count, centers, radii, nullptr, nullptr});
-    if (!cell_.is_long_for(found.radius.greatest)) {
-      TwoLargest largest;
-      for (size_t k = 0; k < count; k++) largest.include(k, radii[k]);
-      const auto id = [&](int n) { return index_base_ + static_cast<int32_t>(largest.place[n]); };
-      cell_.check(largest, {id(0), id(1)});
-    }
+    cell_.check(
+        radii, count, found.radius.greatest, [](size_t) { return true; },
+        [this](size_t row) { return index_base_ + static_cast<int32_t>(row); });
   }
   centers_.grow(count * dimension_);
   radii_.grow(count);
@@ -133,13 +130,8 @@ void ParticleStore::set_cell(const Domain &domain, const ShortCell &cell) {
 
 // Of particles by slot, removed ones left out; those behind all slots are about to be inserted.
 void ParticleStore::check_cell(const ShortCell &cell, const double *radii, size_t count, double greatest) const {
-  if (cell.is_long_for(greatest)) return;
-  TwoLargest largest;
-  for (size_t slot = 0; slot < count; slot++) {
-    const bool dead = removed_ > 0 && slot < slots_ && dead_[slot] != 0;
-    if (!dead) largest.include(slot, radii[slot]);
-  }
-  cell.check(largest, {id_of(largest.place[0]), id_of(largest.place[1])});
+  const auto is_alive = [this](size_t slot) { return removed_ == 0 || slot >= slots_ || dead_[slot] == 0; };
+  cell.check(radii, count, greatest, is_alive, [this](size_t slot) { return id_of(slot); });
 }
 
 int32_t ParticleStore::id_of(size_t slot) const {

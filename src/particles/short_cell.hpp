@@ -42,6 +42,16 @@ class ShortCell {
   bool is_long_for(double radius) const;
   // Throws an Error that names particles by their ids if the cell is too short for them.
   void check(const TwoLargest &largest, const int32_t (&ids)[2]) const;
+  // The same of those particles that count; `greatest`: no radius is larger. O(1) in a long cell.
+  template <class Counts, class IdOf>
+  void check(const double *radii, size_t count, double greatest, Counts &&counts, IdOf &&id_of) const {
+    if (is_long_for(greatest)) return;
+    TwoLargest largest;
+    for (size_t k = 0; k < count; k++) {
+      if (counts(k)) largest.include(k, radii[k]);
+    }
+    check(largest, {id_of(largest.place[0]), id_of(largest.place[1])});
+  }
 
  private:
   Domain domain_;
