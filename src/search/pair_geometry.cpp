@@ -49,14 +49,9 @@ void PairGeometry::visit_near(size_t a, size_t b, Visit &&visit) const {
   double place_a[3] = {0, 0, 0}, place_b[3] = {0, 0, 0};
   const Shift boxes_a = domain_.take_in(store_.center(a), place_a),
               boxes_b = domain_.take_in(store_.center(b), place_b);
-  PlaceBox from, to;
-  for (int axis = 0; axis < domain_.dimension; axis++) {
-    const double around = reach(a, b) * (1 + 0x1p-40) + place_slack(domain_, axis);
-    from.low[axis] = from.high[axis] = place_b[axis];
-    to.low[axis] = place_a[axis] - around;
-    to.high[axis] = place_a[axis] + around;
-  }
-  visit_shifts(domain_, from, to, [&](const Shift &shift) { visit(shift + boxes_a - boxes_b); });
+  const PlaceBox near_a = search_box(domain_, place_a, Shift{}, reach(a, b));
+  visit_shifts(domain_, PlaceBox::at(place_b, domain_.dimension), near_a,
+               [&](const Shift &shift) { visit(shift + boxes_a - boxes_b); });
 }
 
 Shift PairGeometry::find_far(size_t a, size_t b, double *components) const {

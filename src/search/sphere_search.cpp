@@ -76,14 +76,13 @@ class SphereSearch {
     // Stored candidates may have left their places by the skin.
     const double skin = index_.interaction.margin - grid_.overlap.interaction().margin;
     check_reach(domain, reach);
-    PlaceBox from, to;
+    PlaceBox to;
     for (int axis = 0; axis < domain.dimension; axis++) {
       const double around = farthest_image(domain, axis, reach * (1 + 0x1p-40)) + skin + place_slack(domain, axis);
-      from.low[axis] = from.high[axis] = place_[axis];
       to.low[axis] = -around;
       to.high[axis] = index_.map.extent[axis] / index_.map.scale + around;
     }
-    visit_shifts(domain, from, to,
+    visit_shifts(domain, PlaceBox::at(place_, domain.dimension), to,
                  [&](const Shift &shift) { search(h, search_box(domain, place_, shift, reach), shift); });
   }
 
@@ -168,16 +167,15 @@ bool overlaps(const Domain &domain, const Overlap &overlap, const Ball &a, const
   const Shift boxes = domain.take_in(b.center, place_b) - domain.take_in(a.center, place_a);
   const double reach = overlap.interaction().reach(a.radius, b.radius) * (1 + 0x1p-40);
   check_reach(domain, reach);
-  PlaceBox from, to;
+  PlaceBox to;
   for (int axis = 0; axis < domain.dimension; axis++) {
     const double around = farthest_image(domain, axis, reach) + place_slack(domain, axis);
-    from.low[axis] = from.high[axis] = place_a[axis];
     to.low[axis] = place_b[axis] - around;
     to.high[axis] = place_b[axis] + around;
   }
   bool found = false;
   int64_t exact = 0;
-  visit_shifts(domain, from, to,
+  visit_shifts(domain, PlaceBox::at(place_a, domain.dimension), to,
                [&](const Shift &shift) { found = found || overlap.holds(a, b, shift + boxes, exact); });
   return found;
 }

@@ -253,14 +253,13 @@ Shift StoredCandidates::boxes(size_t p, const ParticleStore &store) const {
   const Domain &domain = index_->domain;
   const FixedPoint &map = index_->map;
   const double *center = store.center(slot_[p]);
-  Shift boxes = domain.boxes(center);
+  double place[3] = {0, 0, 0};
+  const Shift boxes = domain.take_in(center, place);
   if (!moved_) return boxes;
-  double quanta[3] = {0, 0, 0};
-  map.find_quanta(center, domain.dimension, quanta);
   Shift back;
   for (int axis = 2; axis >= 0; axis--) {
     if (!domain.periodic[axis]) continue;
-    const double here = quanta[axis] + domain.shifted(axis, back) * map.scale;
+    const double here = map.quanta(axis, place[axis]) + domain.shifted(axis, back) * map.scale;
     back.n[axis] = static_cast<int32_t>(edges_back(here - start_place(p, axis), domain.length[axis] * map.scale));
   }
   return boxes - back;

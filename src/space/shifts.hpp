@@ -13,6 +13,12 @@ namespace hg {
 // A box of places, in the caller's lengths or in quanta.
 struct PlaceBox {
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+
+  static PlaceBox at(const double *place, int dimension) {
+    PlaceBox box;
+    for (int axis = 0; axis < dimension; axis++) box.low[axis] = box.high[axis] = place[axis];
+    return box;
+  }
 };
 
 // All numbers of edges n with low <= n * length <= high.
