@@ -42,6 +42,12 @@ module hgrid_sets
         module procedure column_real64, column_real32
     end interface column
 
+    !> The same of the centres: x(dimension, n), or x(dimension*n) and the dimension.
+    interface columns
+        module procedure columns_rows_real64, columns_rows_real32, columns_flat_real64, &
+            columns_flat_real32
+    end interface columns
+
     interface
         function c_hg_set(grid, count, centers, radii) bind(c, name='hg_set') result(status)
             import
@@ -111,14 +117,8 @@ contains
         real(c_float), intent(in), target :: r(:)
         type(hg_error), intent(out), optional :: err
 
-        type(hg_array) :: centers(3)
-        integer :: axis
-
         if (misfit(self, shape(x), size(r), err)) return
-        do axis = 1, size(x, 1)
-            centers(axis) = column(x(axis, :))
-        end do
-        call set_columns(self, size(r), centers, column(r), err)
+        call set_columns(self, size(r), columns(x), column(r), err)
     end subroutine set_rows_32_32
 
     subroutine set_rows_64_32(self, x, r, err)
@@ -129,14 +129,8 @@ contains
         real(c_float), intent(in), target :: r(:)
         type(hg_error), intent(out), optional :: err
 
-        type(hg_array) :: centers(3)
-        integer :: axis
-
         if (misfit(self, shape(x), size(r), err)) return
-        do axis = 1, size(x, 1)
-            centers(axis) = column(x(axis, :))
-        end do
-        call set_columns(self, size(r), centers, column(r), err)
+        call set_columns(self, size(r), columns(x), column(r), err)
     end subroutine set_rows_64_32
 
     subroutine set_rows_32_64(self, x, r, err)
@@ -147,14 +141,8 @@ contains
         real(c_double), intent(in), target :: r(:)
         type(hg_error), intent(out), optional :: err
 
-        type(hg_array) :: centers(3)
-        integer :: axis
-
         if (misfit(self, shape(x), size(r), err)) return
-        do axis = 1, size(x, 1)
-            centers(axis) = column(x(axis, :))
-        end do
-        call set_columns(self, size(r), centers, column(r), err)
+        call set_columns(self, size(r), columns(x), column(r), err)
     end subroutine set_rows_32_64
 
     subroutine set_flat_64_64(self, x, r, err)
@@ -177,14 +165,8 @@ contains
         real(c_float), intent(in), target :: r(:)
         type(hg_error), intent(out), optional :: err
 
-        type(hg_array) :: centers(3)
-        integer :: axis
-
         if (misfit(self, shape(x), size(r), err)) return
-        do axis = 1, min(dimension_of(self), size(x))
-            centers(axis) = column(x(axis::dimension_of(self)))
-        end do
-        call set_columns(self, size(r), centers, column(r), err)
+        call set_columns(self, size(r), columns(x, dimension_of(self)), column(r), err)
     end subroutine set_flat_32_32
 
     subroutine set_flat_64_32(self, x, r, err)
@@ -195,14 +177,8 @@ contains
         real(c_float), intent(in), target :: r(:)
         type(hg_error), intent(out), optional :: err
 
-        type(hg_array) :: centers(3)
-        integer :: axis
-
         if (misfit(self, shape(x), size(r), err)) return
-        do axis = 1, min(dimension_of(self), size(x))
-            centers(axis) = column(x(axis::dimension_of(self)))
-        end do
-        call set_columns(self, size(r), centers, column(r), err)
+        call set_columns(self, size(r), columns(x, dimension_of(self)), column(r), err)
     end subroutine set_flat_64_32
 
     subroutine set_flat_32_64(self, x, r, err)
@@ -213,14 +189,8 @@ contains
         real(c_double), intent(in), target :: r(:)
         type(hg_error), intent(out), optional :: err
 
-        type(hg_array) :: centers(3)
-        integer :: axis
-
         if (misfit(self, shape(x), size(r), err)) return
-        do axis = 1, min(dimension_of(self), size(x))
-            centers(axis) = column(x(axis::dimension_of(self)))
-        end do
-        call set_columns(self, size(r), centers, column(r), err)
+        call set_columns(self, size(r), columns(x, dimension_of(self)), column(r), err)
     end subroutine set_flat_32_64
 
     subroutine set_plane_64_64(self, x, y, r, err)
@@ -350,6 +320,56 @@ contains
         if (size(numbers) > 0) array%data = c_loc(numbers(1))
         if (size(numbers) > 1) array%stride = bytes_between(array%data, c_loc(numbers(2)))
     end function column_real32
+
+    function columns_rows_real64(x) result(centers)
+        !> (dimension, n); a target of the caller's
+        real(c_double), intent(in), target :: x(:, :)
+        type(hg_array) :: centers(size(x, 1))
+
+        integer :: axis
+
+        do axis = 1, size(centers)
+            centers(axis) = column(x(axis, :))
+        end do
+    end function columns_rows_real64
+
+    function columns_rows_real32(x) result(centers)
+        !> (dimension, n); a target of the caller's
+        real(c_float), intent(in), target :: x(:, :)
+        type(hg_array) :: centers(size(x, 1))
+
+        integer :: axis
+
+        do axis = 1, size(centers)
+            centers(axis) = column(x(axis, :))
+        end do
+    end function columns_rows_real32
+
+    function columns_flat_real64(x, dimension) result(centers)
+        !> (dimension*n); a target of the caller's
+        real(c_double), intent(in), target :: x(:)
+        integer, intent(in) :: dimension
+        type(hg_array) :: centers(dimension)
+
+        integer :: axis
+
+        do axis = 1, min(dimension, size(x))
+            centers(axis) = column(x(axis::dimension))
+        end do
+    end function columns_flat_real64
+
+    function columns_flat_real32(x, dimension) result(centers)
+        !> (dimension*n); a target of the caller's
+        real(c_float), intent(in), target :: x(:)
+        integer, intent(in) :: dimension
+        type(hg_array) :: centers(dimension)
+
+        integer :: axis
+
+        do axis = 1, min(dimension, size(x))
+            centers(axis) = column(x(axis::dimension))
+        end do
+    end function columns_flat_real32
 
     function bytes_between(from, to) result(bytes)
         !> Addresses in one array
