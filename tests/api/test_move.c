@@ -4,18 +4,10 @@
 /* hg_move: new centres and radii in id order; all or nothing; no memory needed; with a skin, stored candidates hold
  * while particles move little. */
 #include "tests/support/failing_alloc.h"
-#include "tests/support/fixture.h"
+#include "tests/support/two_pairs.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* Two pairs of spheres: (0, 1) and (2, 3) overlap. */
-static const double kStart[12] = {0, 0, 0, 1, 0, 0, 10, 0, 0, 11, 0, 0};
-static const double kRadii[4] = {0.6, 0.6, 0.6, 0.6};
-static const hg_pair kStartPairs[2] = {{0, 1}, {2, 3}};
-/* Swapped partners: (0, 2) and (1, 3) overlap. */
-static const double kMoved[12] = {0, 0, 0, 10, 0, 0, 1, 0, 0, 11, 0, 0};
-static const hg_pair kMovedPairs[2] = {{0, 2}, {1, 3}};
 
 static hg_grid *make_start(const hg_grid_def *def) { return make_grid(def, 4, kStart, kRadii); }
 
@@ -82,32 +74,15 @@ TEST(null_is_refused) {
   hg_destroy(grid);
 }
 
-static void refuse(hg_grid *grid, int row, int axis, double value, const char *text) {
-  double centers[12], radii[4];
-  char row_text[2] = {0};
-  memcpy(centers, kMoved, sizeof centers);
-  memcpy(radii, kRadii, sizeof radii);
-  if (axis == 3) {
-    radii[row] = value;
-  } else {
-    centers[3 * row + axis] = value;
-  }
-  assert_status(HG_ERR_ARGUMENT, hg_move(grid, 4, centers, radii));
-  row_text[0] = (char)('0' + row);
-  assert_error_names(row_text);
-  assert_error_names(text);
-  assert_pairs(grid, kStartPairs, 2);
-}
-
 TEST(bad_values_change_nothing) {
   hg_grid *grid = make_start(NULL);
   int row;
   for (row = 0; row < 4; ++row) {
-    refuse(grid, row, 0, not_a_number(), "nan");
-    refuse(grid, row, 2, -infinity(), "-inf");
-    refuse(grid, row, 3, -0.375, "-0.375");
-    refuse(grid, row, 3, not_a_number(), "nan");
-    refuse(grid, row, 3, infinity(), "inf");
+    refuse_value(grid, hg_move, 4, row, 0, not_a_number(), "nan");
+    refuse_value(grid, hg_move, 4, row, 2, -infinity(), "-inf");
+    refuse_value(grid, hg_move, 4, row, 3, -0.375, "-0.375");
+    refuse_value(grid, hg_move, 4, row, 3, not_a_number(), "nan");
+    refuse_value(grid, hg_move, 4, row, 3, infinity(), "inf");
   }
   hg_destroy(grid);
 }

@@ -3,17 +3,11 @@
 
 /* hg_set: exactly these particles, whatever was there; ids anew; all or nothing; candidates of a skin serve on. */
 #include "tests/support/failing_alloc.h"
-#include "tests/support/fixture.h"
+#include "tests/support/two_pairs.h"
 
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Two pairs of spheres: (0, 1) and (2, 3) overlap; swapped: (0, 2) and (1, 3). */
-static const double kStart[12] = {0, 0, 0, 1, 0, 0, 10, 0, 0, 11, 0, 0};
-static const double kSwapped[12] = {0, 0, 0, 10, 0, 0, 1, 0, 0, 11, 0, 0};
-static const double kRadii[4] = {0.6, 0.6, 0.6, 0.6};
-static const hg_pair kStartPairs[2] = {{0, 1}, {2, 3}}, kSwappedPairs[2] = {{0, 2}, {1, 3}};
 
 static hg_grid *make_start(const hg_grid_def *def) {
   hg_grid *grid = make_empty(def);
@@ -65,28 +59,11 @@ TEST(ids_start_anew) {
 
 TEST(null_is_refused) {
   hg_grid *grid = make_start(NULL);
-  assert_status(HG_ERR_NULL, hg_set(NULL, 4, kSwapped, kRadii));
+  assert_status(HG_ERR_NULL, hg_set(NULL, 4, kMoved, kRadii));
   assert_status(HG_ERR_NULL, hg_set(grid, 4, NULL, kRadii));
-  assert_status(HG_ERR_NULL, hg_set(grid, 4, kSwapped, NULL));
+  assert_status(HG_ERR_NULL, hg_set(grid, 4, kMoved, NULL));
   assert_pairs(grid, kStartPairs, 2);
   hg_destroy(grid);
-}
-
-static void refuse(hg_grid *grid, size_t count, int row, int axis, double value, const char *text) {
-  double centers[12], radii[4];
-  char row_text[4] = "[0]";
-  memcpy(centers, kSwapped, sizeof centers);
-  memcpy(radii, kRadii, sizeof radii);
-  if (axis == 3) {
-    radii[row] = value;
-  } else {
-    centers[3 * row + axis] = value;
-  }
-  assert_status(HG_ERR_ARGUMENT, hg_set(grid, count, centers, radii));
-  row_text[1] = (char)('0' + row);
-  assert_error_names(row_text);
-  assert_error_names(text);
-  assert_pairs(grid, kStartPairs, 2);
 }
 
 TEST(bad_values_change_nothing) {
@@ -95,10 +72,10 @@ TEST(bad_values_change_nothing) {
   int row;
   for (count = 3; count <= 4; ++count) {
     for (row = 0; row < 3; ++row) {
-      refuse(grid, count, row, 0, not_a_number(), "nan");
-      refuse(grid, count, row, 2, -infinity(), "-inf");
-      refuse(grid, count, row, 3, -0.375, "-0.375");
-      refuse(grid, count, row, 3, infinity(), "inf");
+      refuse_value(grid, hg_set, count, row, 0, not_a_number(), "nan");
+      refuse_value(grid, hg_set, count, row, 2, -infinity(), "-inf");
+      refuse_value(grid, hg_set, count, row, 3, -0.375, "-0.375");
+      refuse_value(grid, hg_set, count, row, 3, infinity(), "inf");
     }
   }
   hg_destroy(grid);
@@ -110,14 +87,14 @@ TEST(a_short_box_is_refused) {
   const int32_t gone = 0;
   hg_grid_def def = periodic_axis(0, 20);
   hg_grid *grid = make_start(&def);
-  assert_status(HG_ERR_ARGUMENT, hg_set(grid, 4, kSwapped, grown));
+  assert_status(HG_ERR_ARGUMENT, hg_set(grid, 4, kMoved, grown));
   assert_pairs(grid, kStartPairs, 2);
   assert_ok(hg_remove(grid, 1, &gone));
-  assert_status(HG_ERR_ARGUMENT, hg_set(grid, 4, kSwapped, grown));
+  assert_status(HG_ERR_ARGUMENT, hg_set(grid, 4, kMoved, grown));
   assert_error_names("2");
   assert_error_names("3");
   assert_pairs(grid, kStartPairs + 1, 1);
-  assert_ok(hg_set(grid, 1, kSwapped, grown + 3)); /* alone it may fill the box */
+  assert_ok(hg_set(grid, 1, kMoved, grown + 3)); /* alone it may fill the box */
   assert_pairs(grid, NULL, 0);
   hg_destroy(grid);
 }
@@ -127,15 +104,15 @@ TEST(limits) {
   double centers[12];
   hg_grid_def def = user_levels(&cell, 1);
   hg_grid *grid = make_start(&def);
-  assert_status(HG_ERR_ARGUMENT, hg_set(grid, 4, kSwapped, grown));
-  assert_status(HG_ERR_ARGUMENT, hg_set(grid, 3, kSwapped, grown + 1));
-  assert_status(HG_ERR_LIMIT, hg_set(grid, (size_t)INT32_MAX + 2, kSwapped, kRadii));
-  assert_status(HG_ERR_LIMIT, hg_set(grid, SIZE_MAX, kSwapped, kRadii));
+  assert_status(HG_ERR_ARGUMENT, hg_set(grid, 4, kMoved, grown));
+  assert_status(HG_ERR_ARGUMENT, hg_set(grid, 3, kMoved, grown + 1));
+  assert_status(HG_ERR_LIMIT, hg_set(grid, (size_t)INT32_MAX + 2, kMoved, kRadii));
+  assert_status(HG_ERR_LIMIT, hg_set(grid, SIZE_MAX, kMoved, kRadii));
   assert_pairs(grid, kStartPairs, 2);
   hg_destroy(grid);
   def = periodic_axis(0, 20);
   grid = make_start(&def);
-  memcpy(centers, kSwapped, sizeof centers);
+  memcpy(centers, kMoved, sizeof centers);
   centers[6] = 1e13;
   assert_status(HG_ERR_LIMIT, hg_set(grid, 4, centers, kRadii));
   assert_status(HG_ERR_LIMIT, hg_set(grid, 3, centers, kRadii));
@@ -144,13 +121,13 @@ TEST(limits) {
 }
 
 TEST(bytes_at_any_address) {
-  unsigned char bytes[1 + sizeof kSwapped], radius_bytes[3 + sizeof kRadii];
+  unsigned char bytes[1 + sizeof kMoved], radius_bytes[3 + sizeof kRadii];
   hg_grid *grid = make_start(NULL);
-  memcpy(bytes + 1, kSwapped, sizeof kSwapped);
+  memcpy(bytes + 1, kMoved, sizeof kMoved);
   memcpy(radius_bytes + 3, kRadii, sizeof kRadii);
   assert_ok(
       hg_set(grid, 4, (const double *)(const void *)(bytes + 1), (const double *)(const void *)(radius_bytes + 3)));
-  assert_pairs(grid, kSwappedPairs, 2);
+  assert_pairs(grid, kMovedPairs, 2);
   hg_destroy(grid);
 }
 
@@ -196,18 +173,18 @@ TEST(smaller_sets_need_no_memory) {
   grid = make_start(NULL);
   assert_pairs(grid, kStartPairs, 2);
   calls = failing_alloc_books().calls;
-  assert_ok(hg_set(grid, 3, kSwapped, kRadii));
-  assert_ok(hg_set(grid, 4, kSwapped, kRadii));
+  assert_ok(hg_set(grid, 3, kMoved, kRadii));
+  assert_ok(hg_set(grid, 4, kMoved, kRadii));
   assert_int_equal(calls, failing_alloc_books().calls);
-  assert_pairs(grid, kSwappedPairs, 2);
+  assert_pairs(grid, kMovedPairs, 2);
   hg_destroy(grid);
   failing_alloc_remove();
 }
 
 static void prepare_pair(hg_grid **grid) { *grid = make_grid(NULL, 2, kStart, kRadii); }
-static hg_status grow(hg_grid **grid) { return hg_set(*grid, 4, kSwapped, kRadii); }
+static hg_status grow(hg_grid **grid) { return hg_set(*grid, 4, kMoved, kRadii); }
 static void is_pair(hg_grid *grid) { assert_pairs(grid, kStartPairs, 1); }
-static void is_swapped(hg_grid *grid) { assert_pairs(grid, kSwappedPairs, 2); }
+static void is_swapped(hg_grid *grid) { assert_pairs(grid, kMovedPairs, 2); }
 
 TEST(no_memory) {
   const alloc_scenario looked_at = {prepare_pair, grow, is_pair, is_swapped};

@@ -6,6 +6,7 @@ program test_boxes
     use, intrinsic :: iso_c_binding, only: c_double, c_float, c_int32_t, c_int64_t
     use hgrid
     use brute_force, only: contact_matrix, difference, length_of, rule, scene, scene_name
+    use rule_grid, only: make_grid
     use checks, only: check, check_fails, check_works, finish_checks
     implicit none
 
@@ -99,26 +100,6 @@ contains
         by%tilt = tilt
         if (dimension == 2) by%tilt(2:) = 0
     end function tilted_rule
-
-    subroutine make_grid(grid, particles, by)
-        !> Becomes a grid with the particles
-        type(hg_grid), intent(inout) :: grid
-        !> What it is to hold
-        type(scene), intent(in) :: particles
-        !> The rule
-        type(rule), intent(in) :: by
-
-        type(hg_grid_def) :: def
-
-        def = hg_default_grid_def()
-        def%dimension = size(particles%x, 1)
-        where (by%box > 0) def%periodic = 1
-        def%box_max = length_of(by%box)
-        def%tilt = length_of(by%tilt)
-        def%touching = merge(1, 0, by%touching)
-        call grid%create(def)
-        call grid%insert(length_of(particles%x), length_of(particles%r))
-    end subroutine make_grid
 
     subroutine expect_pairs(grid, particles, by, what, found)
         !> The grid

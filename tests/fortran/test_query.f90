@@ -4,9 +4,9 @@
 !> All pairs and spheres, for every rule of interaction, against brute force.
 program test_query
     use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t
-    use hgrid, only: HG_DOUBLE, HG_FLOAT, HG_MAX_RANGE, HG_ORDER_ID, hg_default_grid_def, hg_grid, &
-        hg_grid_def, hg_grid_stats
+    use hgrid, only: HG_DOUBLE, HG_FLOAT, hg_default_grid_def, hg_grid, hg_grid_def, hg_grid_stats
     use brute_force, only: contact_matrix, difference, interact, length_of, rule, scene, scene_name
+    use rule_grid, only: make_grid
     use checks, only: check, finish_checks
     implicit none
 
@@ -49,29 +49,6 @@ contains
             call expect_spheres(particles, by)
         end do
     end subroutine test_rules
-
-    subroutine make_grid(grid, particles, by)
-        !> Becomes a grid with the particles
-        type(hg_grid), intent(inout) :: grid
-        !> What it is to hold
-        type(scene), intent(in) :: particles
-        !> The rule
-        type(rule), intent(in) :: by
-
-        type(hg_grid_def) :: def
-
-        def = hg_default_grid_def()
-        def%dimension = size(particles%x, 1)
-        if (by%max_range) def%interaction = HG_MAX_RANGE
-        def%margin = length_of(by%margin)
-        where (by%box > 0)
-            def%periodic = 1
-            def%box_max = length_of(by%box)
-        end where
-        def%pair_order = HG_ORDER_ID
-        call grid%create(def)
-        call grid%insert(length_of(particles%x), length_of(particles%r))
-    end subroutine make_grid
 
     subroutine expect_pairs(particles, by)
         !> The particles
