@@ -8,6 +8,7 @@
 #include "src/search/contact_visit.hpp"
 #include "src/search/skin.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace hg {
@@ -40,6 +41,7 @@ Grid::Grid(const Definition &definition, const hg_allocator &allocator)
       store_(memory_,
              InputCheck(definition.domain, definition.interaction, definition.levels.largest_diameter(), threads_),
              ShortCell(definition.domain, definition.interaction), definition.domain.dimension, definition.index_base),
+      participants_(memory_),
       given_(memory_),
       overlap_(definition.interaction, definition.accuracy, definition.domain),
       level_choice_(memory_, definition.levels, definition.interaction),
@@ -96,7 +98,7 @@ void Grid::insert_arrays(size_t count, const hg_array *centers, const hg_array *
 }
 
 void Grid::move_arrays(size_t count, const hg_array *centers, const hg_array *radius) {
-  store_.check_move(count);
+  store_.check_count(count);
   given_.gather(count, dimension(), centers, radius);
   move(count, given_.centers(), radius != nullptr ? given_.radii() : nullptr);
 }
@@ -133,11 +135,31 @@ void Grid::set_box(const double *box_min, const double *box_max, const double *t
   changed(false);
 }
 
+void Grid::set_groups(size_t count, const int32_t *groups) {
+  if (store_.set_groups(count, groups)) others_meet();
+}
+
+void Grid::set_group_pair(int32_t a, int32_t b, bool meet) {
+  if (group_table_.meet(a, b) == meet) return;
+  group_table_.set(a, b, meet);
+  others_meet();
+}
+
+void Grid::set_bodies(size_t count, const int32_t *bodies) {
+  if (store_.set_bodies(count, bodies)) others_meet();
+}
+
+void Grid::others_meet() {
+  changed(true);
+  candidates_.drop();
+}
+
 void Grid::changed(bool radii) {
   built_ = false;
   if (radii) {
     level_choice_.radii_changed();
     scratch_.population.counted = false;
+    participants_.groups_changed();
   }
   grown_ = grown_ || radii;
   pairs_found_ = false;
@@ -165,21 +187,22 @@ void Grid::build_locked() {
   }
   store_.compact();
   const Domain &domain = definition_.domain;
-  const Bounds bounds = bounds_of(store_, domain, threads_);
+  const Participants particles = participants_.of(store_, group_table_, threads_);
+  const Bounds bounds = bounds_of(particles, domain, threads_);
   const FilledVolume volume = FilledVolume::of(bounds, domain.dimension);
   const double skin = skin_pays_ ? usable_skin(definition_.skin, definition_.interaction, domain, bounds,
-                                               definition_.accuracy, store_.slots())
+                                               definition_.accuracy, particles.count())
                                  : 0;
   index_.domain = domain;
   index_.interaction = definition_.interaction.widened(skin);
   // Without particles a box has no resolution that its period could be counted in. Images may lie as far outside of it
   // as particles reach.
-  if (store_.slots() > 0) {
+  if (particles.count() > 0) {
     const double images = domain.any_periodic ? 2 : 1;
     index_.map = FixedPoint::over(bounds, domain, images * index_.interaction.diameter(bounds.max_radius));
   }
-  plan_ = level_choice_.choose(store_, index_.map, volume, index_.interaction);
-  build_index(index_, scratch_, store_, plan_, threads_);
+  plan_ = level_choice_.choose(particles, index_.map, volume, index_.interaction);
+  build_index(index_, scratch_, particles, plan_, threads_);
   tasks_.list(index_);
   describe_levels(volume);
   stats_.build_count++;
@@ -188,11 +211,15 @@ void Grid::build_locked() {
 }
 
 void Grid::describe_levels(const FilledVolume &volume) {
+  for (int h = 0; h < index_.insertion_levels; h++) levels_[h] = {plan_.levels[h].cell_size, 0, 0, 0};
   for (int h = 0; h < index_.level_count; h++) {
     const IndexLevel &level = index_.levels[h];
-    const int64_t particles = level.end - level.begin;
-    levels_[h] = {level.plan.cell_size, level.largest_radius, occupancy(particles, level.plan.cell_size, volume),
-                  particles};
+    hg_level &all = levels_[level.insertion_level];
+    all.largest_radius = std::max(all.largest_radius, level.largest_radius);
+    all.particle_count += level.end - level.begin;
+  }
+  for (int h = 0; h < index_.insertion_levels; h++) {
+    levels_[h].occupancy = occupancy(levels_[h].particle_count, levels_[h].cell_size, volume);
   }
 }
 
@@ -361,7 +388,7 @@ void Grid::query_neighbors(int32_t list, const int64_t **offsets, const int32_t 
 void Grid::query_levels(const hg_level **levels, size_t *count) {
   build();
   *levels = levels_;
-  *count = static_cast<size_t>(index_.level_count);
+  *count = static_cast<size_t>(index_.insertion_levels);
 }
 
 void Grid::query_level_costs(const hg_level_cost **costs, size_t *count) {
@@ -374,7 +401,7 @@ hg_grid_stats Grid::stats() {
   const std::lock_guard lock(mutex_);
   hg_grid_stats stats = stats_;
   stats.particle_count = static_cast<int64_t>(store_.live_count());
-  stats.level_count = index_.level_count;
+  stats.level_count = index_.insertion_levels;
   stats.row_count = index_.row_count;
   stats.cell_count = index_.cell_count;
   stats.stored_count = static_cast<int64_t>(candidates_.count());

@@ -13,6 +13,7 @@
 #include "src/pairs/pair_order.hpp"
 #include "src/particles/bounds.hpp"
 #include "src/particles/given_arrays.hpp"
+#include "src/particles/participants.hpp"
 #include "src/search/built_grid.hpp"
 #include "src/search/candidate_filter.hpp"
 #include "src/search/pair_geometry.hpp"
@@ -41,6 +42,10 @@ class Grid {
   void move_arrays(size_t count, const hg_array *centers, const hg_array *radius);
   void set_arrays(size_t count, const hg_array *centers, const hg_array *radius);
   void set_box(const double *box_min, const double *box_max, const double *tilt);
+
+  void set_groups(size_t count, const int32_t *groups);
+  void set_group_pair(int32_t a, int32_t b, bool meet);
+  void set_bodies(size_t count, const int32_t *bodies);
 
   // The calls below build the index if it is out of date. They may run in parallel with each other.
   void build();
@@ -71,7 +76,8 @@ class Grid {
     SearchCounts collected;  // by that search, if it stored candidates
   };
 
-  void changed(bool radii);
+  void others_meet();
+  void changed(bool radii);  // or which slots there are
   void build_locked();
   void describe_levels(const FilledVolume &volume);
   Answer answer_locked();
@@ -86,6 +92,8 @@ class Grid {
   Memory memory_;
   std::mutex mutex_;  // makes queries of several threads on one grid take turns where they store results
   ParticleStore store_;
+  GroupTable group_table_;
+  ParticipantList participants_;
   GivenArrays given_;
   Overlap overlap_;
 

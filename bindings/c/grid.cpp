@@ -28,6 +28,11 @@ SphereResult &sphere_result() {
   return result;
 }
 
+void check_group(int32_t group, const char *name) {
+  if (group >= 0 && group < HG_MAX_GROUPS) return;
+  fail(HG_ERR_ARGUMENT, "%s = %d is not one of 0 .. %d", name, static_cast<int>(group), HG_MAX_GROUPS - 1);
+}
+
 }  // namespace
 }  // namespace hg
 
@@ -111,6 +116,29 @@ hg_status hg_set_box(hg_grid *grid, const double *box_min, const double *box_max
   return on_grid(grid, {{box_min, "box_min"}, {box_max, "box_max"}}, [&](Grid &g) {
     const Aligned<double> low(g, "box_min", box_min, 3), high(g, "box_max", box_max, 3);
     g.set_box(low.get(), high.get(), Aligned<double>(g, "tilt", tilt, tilt != nullptr ? 3 : 0).get());
+  });
+}
+
+hg_status hg_set_groups(hg_grid *grid, size_t count, const int32_t *groups) {
+  return on_grid(grid, {}, [&](Grid &g) {
+    g.set_groups(count, Aligned<int32_t>(g, "groups", groups, groups != nullptr ? count : 0).get());
+  });
+}
+
+hg_status hg_set_group_pair(hg_grid *grid, int32_t group_a, int32_t group_b, int32_t interacts) {
+  return on_grid(grid, {}, [&](Grid &g) {
+    hg::check_group(group_a, "group_a");
+    hg::check_group(group_b, "group_b");
+    if (interacts != 0 && interacts != 1) {
+      fail(HG_ERR_ARGUMENT, "interacts = %d is neither 0 nor 1", static_cast<int>(interacts));
+    }
+    g.set_group_pair(group_a, group_b, interacts == 1);
+  });
+}
+
+hg_status hg_set_bodies(hg_grid *grid, size_t count, const int32_t *bodies) {
+  return on_grid(grid, {}, [&](Grid &g) {
+    g.set_bodies(count, Aligned<int32_t>(g, "bodies", bodies, bodies != nullptr ? count : 0).get());
   });
 }
 

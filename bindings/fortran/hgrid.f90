@@ -17,8 +17,8 @@ module hgrid
         HG_ALL_IMAGES, HG_CONTACT, HG_DOUBLE, HG_ERR_ARGUMENT, HG_ERR_CAPACITY, HG_ERR_INTERNAL, &
         HG_ERR_LIMIT, HG_ERR_MEMORY, HG_ERR_NOT_FOUND, HG_ERR_NULL, HG_ERR_STATE, HG_EXACT, &
         HG_FLOAT, HG_FULL, HG_HALF, HG_LEVELS_AUTO, HG_LEVELS_PAPER, HG_LEVELS_USER, &
-        HG_MAX_BATCH, HG_MAX_LEVELS, HG_MAX_RANGE, HG_NEAREST_IMAGE, HG_OK, HG_ORDER_GRID, &
-        HG_ORDER_ID
+        HG_MAX_BATCH, HG_MAX_GROUPS, HG_MAX_LEVELS, HG_MAX_RANGE, HG_NEAREST_IMAGE, HG_OK, &
+        HG_ORDER_GRID, HG_ORDER_ID
     use hgrid_visit, only: hg_contact_visitor, hg_pair_procedure, hg_pair_visitor
     implicit none
     private
@@ -30,7 +30,7 @@ module hgrid
     public :: HG_ERR_NOT_FOUND, HG_ERR_LIMIT, HG_ERR_INTERNAL
     public :: HG_CONTACT, HG_MAX_RANGE, HG_EXACT, HG_DOUBLE, HG_FLOAT, HG_ORDER_GRID, HG_ORDER_ID
     public :: HG_LEVELS_AUTO, HG_LEVELS_PAPER, HG_LEVELS_USER, HG_HALF, HG_FULL, HG_MAX_LEVELS
-    public :: HG_NEAREST_IMAGE, HG_ALL_IMAGES, HG_MAX_BATCH
+    public :: HG_NEAREST_IMAGE, HG_ALL_IMAGES, HG_MAX_BATCH, HG_MAX_GROUPS
     ! Kinds that declarations of arguments need, so that `use hgrid` is enough.
     public :: c_double, c_float, c_int32_t, c_int64_t
 

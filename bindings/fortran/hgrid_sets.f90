@@ -10,7 +10,7 @@ module hgrid_sets
         c_int64_t, c_intptr_t, c_loc, c_ptr, c_size_t
     use hgrid_error, only: hg_error, number_text, raise, shape_text
     use hgrid_handle, only: conclude, dimension_of, handle_of
-    use hgrid_particles, only: hg_particles
+    use hgrid_groups, only: hg_groups
     use hgrid_types, only: hg_array, HG_ERR_ARGUMENT, HG_REAL32, HG_REAL64
     implicit none
     private
@@ -20,7 +20,7 @@ module hgrid_sets
 
     !> A grid whose particles may be replaced as a whole. The names of its procedures end with the
     !> kinds of the centres and of the radii.
-    type, extends(hg_particles) :: hg_sets
+    type, extends(hg_groups) :: hg_sets
     contains
         private
         procedure :: set_rows_64_64, set_rows_32_32, set_rows_64_32, set_rows_32_64

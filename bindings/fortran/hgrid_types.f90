@@ -57,6 +57,7 @@ module hgrid_types
 
     !> The most levels that a grid can have.
     integer(c_int32_t), parameter, public :: HG_MAX_LEVELS = 64
+    integer(c_int32_t), parameter, public :: HG_MAX_GROUPS = 64
 
     !> hg_array%type: the numbers of an array.
     integer(c_int32_t), parameter, public :: HG_REAL64 = 0

@@ -6,10 +6,10 @@
  * Ownership: the library copies what it is given and keeps no pointer of the caller. What queries return belongs to the
  * grid and is borrowed: valid until the next call on that grid that changes it or asks for the same kind of result.
  * Threads: different grids are independent. On one grid, queries from several threads are safe once hg_build has
- * returned; hg_set, hg_insert, hg_move, their forms with arrays, hg_remove, hg_clear, hg_set_box, hg_build and
- * hg_destroy need the grid for themselves. Errors: a call that fails has changed nothing. Any call on a NULL grid gives
- * HG_ERR_NULL; any call on a grid from inside one of its own visitors gives HG_ERR_STATE; any call that needs memory
- * may give HG_ERR_MEMORY. N is the number of particles, P that of pairs. Lengths are in the caller's unit. */
+ * returned; hg_set, hg_insert, hg_move, their forms with arrays, hg_remove, hg_clear, the other hg_set_..., hg_build
+ * and hg_destroy need the grid for themselves. Errors: a call that fails has changed nothing. Any call on a NULL grid
+ * gives HG_ERR_NULL; any call on a grid from inside one of its own visitors gives HG_ERR_STATE; any call that needs
+ * memory may give HG_ERR_MEMORY. N is the number of particles, P that of pairs. Lengths are in the caller's unit. */
 #ifndef HGRID_GRID_H
 #define HGRID_GRID_H
 
@@ -73,6 +73,27 @@ HG_API hg_status hg_move_arrays(hg_grid *grid, size_t count, const hg_array *cen
  * that changes. Errors: as hg_create of the box and hg_insert of the particles. All or nothing. Complexity: O(1) and
  * what the next build takes, O(N) if the box is short. */
 HG_API hg_status hg_set_box(hg_grid *grid, const double *box_min, const double *box_max, const double *tilt);
+
+/* Says who meets whom: groups[k] of the k-th live particle in ascending id, 0 .. HG_MAX_GROUPS - 1, or -1: absent.
+ * Absent particles take part in no query and cost nothing in the search, wherever they are; they still count in
+ * hg_move, hg_set_groups and hg_set_bodies, in the check of short periodic boxes, keep empty rows in hg_query_neighbors
+ * and stand in hg_query_order. NULL: all are in group 0, `count` is ignored. At first, and when inserted later,
+ * particles are in group 0; hg_set leaves groups only if it leaves the number of particles. Groups that were told
+ * before change nothing, so that they may be told in each step; others end the use of a skin's stored candidates.
+ * Errors: HG_ERR_ARGUMENT: count is not the number of live particles, or a group is none (the text names it). All or
+ * nothing. Complexity: O(N). */
+HG_API hg_status hg_set_groups(hg_grid *grid, size_t count, const int32_t *groups);
+
+/* Whether particles of two groups, or of one, are pairs at all: interacts is 1 or 0, at first 1 for all. Decided before
+ * the search: where it is 0, no pair of theirs is looked for. The table outlives hg_set and hg_clear. Only pairs,
+ * neighbours and contacts know groups; hg_query_sphere finds particles of all. Errors: HG_ERR_ARGUMENT. O(1). */
+HG_API hg_status hg_set_group_pair(hg_grid *grid, int32_t group_a, int32_t group_b, int32_t interacts);
+
+/* Rigid bodies, clumps, meshes: two particles whose numbers are the same and >= 0 are no pair, nor is one with its own
+ * images. bodies[k] of the k-th live particle in ascending id; -1: of no body. NULL: none has one, `count` is ignored.
+ * Particles inserted later have none; hg_set and repeated calls: as for groups. Errors: HG_ERR_ARGUMENT: count, or a
+ * number below -1. All or nothing. Complexity: O(N). */
+HG_API hg_status hg_set_bodies(hg_grid *grid, size_t count, const int32_t *bodies);
 
 /* Makes the grid ready for queries: chooses the levels and sorts the particles into cells. Searches nothing.
  * Queries call it when they must. Complexity: O(N). */

@@ -166,6 +166,11 @@ class Grid {
   void set_box(const double *box_min, const double *box_max, const double *tilt = nullptr) {
     check(hg_set_box(get(), box_min, box_max, tilt));
   }
+  void set_groups(size_t count, const int32_t *groups) { check(hg_set_groups(get(), count, groups)); }
+  void set_group_pair(int32_t group_a, int32_t group_b, bool interacts) {
+    check(hg_set_group_pair(get(), group_a, group_b, interacts ? 1 : 0));
+  }
+  void set_bodies(size_t count, const int32_t *bodies) { check(hg_set_bodies(get(), count, bodies)); }
   void build() { check(hg_build(get())); }
 
   View<hg_pair> query_pairs() const { return detail::lent<hg_pair>(hg_query_pairs, get()); }

@@ -52,6 +52,7 @@ enum {
 };
 
 enum { HG_MAX_LEVELS = 64 }; /* the most levels a grid can have */
+enum { HG_MAX_GROUPS = 64 }; /* the most groups that its particles can be in */
 
 /* hg_array.type: the numbers of an array. */
 enum {

@@ -19,13 +19,29 @@ constexpr double kFineDiameter = 0x1p12;
 constexpr double kWorthSqueezing = 0x1p20;
 constexpr double kGap = 4;
 
-ChunkRows::Sizes sizes_of(const Index &index) {
+// Of all particles, if the level is empty.
+double largest_in_any_class(const Index &index, int insertion_level) {
+  double largest = 0;
+  bool any = false;
+  for (int c = 0; c < index.classes.count; c++) {
+    const IndexLevel &level = index.levels[index.level_number(insertion_level, c)];
+    largest = std::max(largest, level.largest_radius);
+    any = any || !level.is_empty();
+  }
+  return any ? largest : index.largest_radius;
+}
+
+ChunkRows::Sizes sizes_of(const Index &index, const ClassRanges &classes, Buffer<double> &diameters) {
+  diameters.require(static_cast<size_t>(index.level_count));
   ChunkRows::Sizes sizes;
-  sizes.level_count = index.level_count;
+  sizes.insertion_levels = index.insertion_levels;
+  sizes.diameter = diameters.data();
+  sizes.classes = classes;
   for (int h = 0; h < index.level_count; h++) {
     const IndexLevel &level = index.levels[h];
-    sizes.diameter[h] = level.is_empty() ? index.largest_reach() : index.interaction.diameter(level.largest_radius);
-    sizes.radius_limit[h] = level.plan.radius_limit;
+    diameters[static_cast<size_t>(h)] = index.interaction.diameter(
+        level.is_empty() ? largest_in_any_class(index, level.insertion_level) : level.largest_radius);
+    sizes.radius_limit[level.insertion_level] = level.plan.radius_limit;
   }
   return sizes;
 }
@@ -41,14 +57,14 @@ double largest_on_scale(const Index &index, const ChunkRows::Sizes &sizes) {
 
 // How many boxes the centres lie outside the periodic box at most. In a tilted cell more is rounded, nearly twice as
 // much.
-double most_wraps(const ParticleStore &store, const Domain &domain) {
+double most_wraps(const Participants &particles, const Domain &domain) {
   double most = 0;
-  for (size_t slot = 0; domain.is_tilted() && slot < store.slots(); slot++) {
-    most = std::max(most, 2 * domain.outside(store.center(slot)).boxes);
+  for (size_t slot = 0; domain.is_tilted() && slot < particles.count(); slot++) {
+    most = std::max(most, 2 * domain.outside(particles.center(slot)).boxes);
   }
   if (domain.is_tilted()) return most;
   for (int axis = 0; axis < domain.dimension; axis++) {
-    const Interval &x = store.summary().center[axis];
+    const Interval &x = particles.summary().center[axis];
     most = std::max({most, std::fabs(domain.wraps(axis, x.least)), std::fabs(domain.wraps(axis, x.greatest))});
   }
   return most;
@@ -59,33 +75,33 @@ bool all_periodic(const Domain &domain) {
 }
 
 // Sets the map of places that wrap, and squeezes axes where extents are too wide for it.
-void set_map(Index &index, const ChunkRows::Sizes &sizes, const ParticleStore &store) {
+void set_map(Index &index, const ChunkRows::Sizes &sizes, const Participants &particles) {
   const Domain &domain = index.domain;
   const double largest = largest_on_scale(index, sizes), gap = kGap * index.largest_reach();
-  const double wraps = most_wraps(store, domain);
-  index.map = FixedPoint::wrapping(spread_of(store, domain), domain, largest, wraps);
+  const double wraps = most_wraps(particles, domain);
+  index.map = FixedPoint::wrapping(spread_of(particles, domain), domain, largest, wraps);
   const bool fine = largest * index.map.scale >= kWorthSqueezing;
   if (fine || all_periodic(domain) || gap > SqueezedAxes::kLongestGap) return;
-  index.map = FixedPoint::wrapping(index.squeezed.squeeze(store, domain, gap), domain, largest, wraps);
+  index.map = FixedPoint::wrapping(index.squeezed.squeeze(particles, domain, gap), domain, largest, wraps);
 }
 
 }  // namespace
 
-void build_chunks(Index &index, ChunkScratch &scratch, const ParticleStore &store, int threads) {
-  const size_t count = store.slots();
+void build_chunks(Index &index, ChunkScratch &scratch, const Participants &particles, int threads) {
+  const size_t count = particles.count();
   const int dimension = index.domain.dimension;
-  const ChunkRows::Sizes sizes = sizes_of(index);
+  const ChunkRows::Sizes sizes = sizes_of(index, particles.ranges(), scratch.diameters);
   index.chunked = true;
-  set_map(index, sizes, store);
+  set_map(index, sizes, particles);
   for (int h = 0; h < index.level_count; h++) {
     const double folded = index.interaction.folded_radius(index.levels[h].largest_radius) * index.map.scale;
     index.levels[h].cells.largest_radius = static_cast<float>(std::min(folded, kBeyondAnyExtent));
   }
 
-  ChunkInput input{particle_input(store, index), 0, nullptr, 0};
+  ChunkInput input{particle_input(particles, index), 0, nullptr, 0};
   if (index.squeezed.in_use()) input.centers = index.squeezed.centers();
   PointStore &points = index.particles;
-  index.chunks.build(input, sizes, dimension, count, points.slot.data(), scratch, threads);
+  index.chunks.build(input, sizes, dimension, points.slot.data(), scratch, threads);
   const PointColumns output = points.columns();
   const ChunkBuildKernel &kernel = active_kernels().chunk_build[dimension - 2];
   each_part(threads, count,

@@ -4,12 +4,12 @@
 #pragma once
 
 #include "src/index/index.hpp"
-#include "src/particles/particle_store.hpp"
+#include "src/particles/participants.hpp"
 
 namespace hg {
 
 // Sorts the particles of the store into chunks and sets the index's map. Its levels must have their plans, particles
 // and largest radii.
-void build_chunks(Index &index, ChunkScratch &scratch, const ParticleStore &store, int threads);
+void build_chunks(Index &index, ChunkScratch &scratch, const Participants &particles, int threads);
 
 }  // namespace hg

@@ -6,23 +6,39 @@
 
 #include "src/index/index.hpp"
 #include "src/kernels/kernel_set.hpp"
-#include "src/particles/particle_store.hpp"
+#include "src/particles/participants.hpp"
 
 namespace hg {
 
 // What the levels take, which stays while radii and levels do.
 struct LevelPopulation {
-  bool counted = false;  // to be cleared when radii have changed
+  struct Level {
+    uint32_t count;
+    double largest_radius;  // up to this level
+  };
+  explicit LevelPopulation(Memory &memory) : levels(memory) {}
+  bool counted = false;  // to be cleared when radii or groups have changed
   int level_count = 0;
-  double radius_limit[HG_MAX_LEVELS];
-  uint32_t end[HG_MAX_LEVELS];           // how many particles this level and all finer ones take
-  double largest_radius[HG_MAX_LEVELS];  // of the particles up to this level
+  double radius_limit[HG_MAX_LEVELS];  // of each insertion level
+  Buffer<Level> levels;                // of the index
 };
 
 // What building needs besides the index, kept between builds.
 struct BuildScratch {
   explicit BuildScratch(Memory &memory)
-      : row_of(memory), row_begin(memory), particles(memory), row(memory), chunks(memory) {}
+      : tables(memory),
+        level_rows(memory),
+        row_of(memory),
+        row_begin(memory),
+        particles(memory),
+        row(memory),
+        chunks(memory),
+        population(memory) {}
+  struct Tables {
+    size_t first_row, first_cell;
+  };
+  Buffer<Tables> tables;          // of each level
+  Buffer<LevelRows> level_rows;   // likewise, class by class
   Buffer<uint32_t> row_of;        // of each particle, in slot order
   Buffer<uint32_t> row_begin;     // for each part of the particles
   Buffer<RowParticle> particles;  // row by row
@@ -31,8 +47,9 @@ struct BuildScratch {
   LevelPopulation population;
 };
 
-// Sorts the particles of the store (which has no gaps) into the levels of the plan. The index's interaction and, unless
-// there are no particles, its map must be set. O(N) for dense levels.
-void build_index(Index &index, BuildScratch &scratch, const ParticleStore &store, const LevelPlan &plan, int threads);
+// Sorts the particles into the levels of the plan, each class by itself. The index's interaction and, unless there are
+// no particles, its map must be set. O(N) for dense levels.
+void build_index(Index &index, BuildScratch &scratch, const Participants &particles, const LevelPlan &plan,
+                 int threads);
 
 }  // namespace hg

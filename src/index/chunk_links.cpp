@@ -34,7 +34,7 @@ void ChunkRows::link_rows(int dimension, ChunkScratch &scratch) {
   for (int n = 1; n < kStencilRows; n++) std::fill(word_[n].data(), word_[n].data() + chunks_, ChunkWord::kNone);
   link_own_row();
   for (int h = 0; h < level_count_; h++) {
-    const ChunkLevel &level = levels_[h];
+    const ChunkLevel &level = this->level(h);
     if (level.first == level.end) continue;
     const Places places = places_of(level);
     const double chunks = level_chunk_end(level) - level_chunk_begin(level);

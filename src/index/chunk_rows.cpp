@@ -30,16 +30,33 @@ constexpr size_t kMostCellsBetween = size_t{3} * kChunkCells;
 constexpr double kLeastSlack = 16;
 constexpr double kSlackPerCell = 0x1p-15;
 
+// Calls run(input, begin, end) for all particles, on all threads, with the levels of their class.
+template <class Run>
+void each_class(const ChunkInput &input, const ChunkRows::Sizes &sizes, const ChunkLevelKey *levels, int threads,
+                Run &&run) {
+  each_part(threads, sizes.classes.end(), [&](size_t first, size_t last) {
+    sizes.classes.each(first, last, [&](int c, size_t begin, size_t end) {
+      ChunkInput part = input;
+      part.levels = levels + c * sizes.insertion_levels;
+      run(part, begin, end);
+    });
+  });
+}
+
+bool is_giant(const ChunkInput &input, const ChunkRows::Sizes &sizes, int insertion_level) {
+  const double *first = sizes.diameter + sizes.level_number(insertion_level, 0);
+  return *std::max_element(first, first + sizes.classes.count) * input.map.scale >= ChunkRows::kGiantDiameter;
+}
+
 }  // namespace
 
 // False if a level's cells are much wider than its particles ask for, as its space is so wide.
 bool ChunkRows::lay(const ChunkInput &input, const Sizes &sizes) {
-  level_count_ = sizes.level_count;
   uint64_t next_layer = 1;
   double cells = 1, rows = 1;
   bool fits = true;
   for (int h = 0; h < level_count_; h++) {
-    ChunkLevel &level = levels_[h];
+    ChunkLevel &level = level_at(h);
     double extent[3], longest = 0;
     for (int axis = 0; axis < 3; axis++) {
       extent[axis] = level.space.high[axis] - level.space.low[axis];
@@ -48,7 +65,8 @@ bool ChunkRows::lay(const ChunkInput &input, const Sizes &sizes) {
     const double diameter = std::min(sizes.diameter[h] * input.map.scale, kBeyondAnyExtent);
     const double least = longest / kMostAlongAxis;
     fits = fits && least <= std::max(kCellLength * diameter, kLeastSlack);
-    level.giants = diameter >= kGiantDiameter;
+    // Of all classes alike, so that giants come last.
+    level.giants = is_giant(input, sizes, h / sizes.classes.count);
     level.cell = whole_float(std::max((kCellLength * diameter + kLeastSlack) / (1 - kSlackPerCell), least));
     level.slack = kLeastSlack + kSlackPerCell * level.cell;
     level.row_width = whole_float(std::max(kRowWidth * diameter + 4 * level.slack, least));
@@ -65,22 +83,29 @@ bool ChunkRows::lay(const ChunkInput &input, const Sizes &sizes) {
 }
 
 // The space that the particles of each level take.
-void ChunkRows::find_spaces(const ChunkInput &input, const Sizes &sizes, int dimension, size_t count) {
-  bool any[HG_MAX_LEVELS] = {};
-  for (size_t slot = 0; slot < count; slot++) {
-    const double *limit = sizes.radius_limit;
-    const auto h = static_cast<size_t>(std::lower_bound(limit, limit + level_count_ - 1, input.radii[slot]) - limit);
-    PlaceBox &space = levels_[h].space;
+void ChunkRows::find_spaces(const ChunkInput &input, const Sizes &sizes, int dimension, ChunkScratch &scratch) {
+  const double *limit = sizes.radius_limit, *last = limit + sizes.insertion_levels - 1;
+  const auto levels = static_cast<size_t>(level_count_);
+  scratch.any.require(levels);
+  std::fill_n(scratch.any.data(), levels, uint8_t{0});
+  const auto take = [&](int c, size_t particle) {
+    const auto insertion_level = static_cast<int>(std::lower_bound(limit, last, input.radii[particle]) - limit);
+    const int h = sizes.level_number(insertion_level, c);
+    uint8_t &any = scratch.any[static_cast<size_t>(h)];
+    PlaceBox &space = level_at(h).space;
     double place[3];
-    input.map.find_place(input.centers + slot * static_cast<size_t>(dimension), dimension, place);
+    input.map.find_place(input.centers + particle * static_cast<size_t>(dimension), dimension, place);
     for (int axis = 0; axis < dimension; axis++) {
-      space.low[axis] = any[h] ? std::min(space.low[axis], place[axis]) : place[axis];
-      space.high[axis] = any[h] ? std::max(space.high[axis], place[axis]) : place[axis];
+      space.low[axis] = any != 0 ? std::min(space.low[axis], place[axis]) : place[axis];
+      space.high[axis] = any != 0 ? std::max(space.high[axis], place[axis]) : place[axis];
     }
-    any[h] = true;
-  }
-  for (int h = 0; h < level_count_; h++) {
-    if (!any[h]) levels_[h].space = {};
+    any = 1;
+  };
+  sizes.classes.each(0, sizes.classes.end(), [&](int c, size_t begin, size_t end) {
+    for (size_t particle = begin; particle < end; particle++) take(c, particle);
+  });
+  for (size_t h = 0; h < levels; h++) {
+    if (scratch.any[h] == 0) levels_[h].space = {};
   }
 }
 
@@ -139,36 +164,46 @@ void ChunkRows::list_chunks(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkS
   for (size_t i = 0; i < 3; i++) scratch.row_key[rows_ + i] = ~uint64_t{0};
 }
 
-void ChunkRows::build(ChunkInput input, const Sizes &sizes, int dimension, size_t count, uint32_t *slot,
-                      ChunkScratch &scratch, int threads) {
-  for (int h = 0; h < sizes.level_count; h++) {
-    levels_[h] = ChunkLevel{};
-    for (int axis = 0; axis < dimension; axis++) levels_[h].space.high[axis] = to_whole(input.map.extent[axis]);
+// Of each class its levels stand together, as the kernels want them.
+void ChunkRows::list_level_keys(const Sizes &sizes, ChunkScratch &scratch) const {
+  scratch.level_keys.require(static_cast<size_t>(level_count_));
+  ChunkLevelKey *key = scratch.level_keys.data();
+  for (int c = 0; c < sizes.classes.count; c++) {
+    for (int h = 0; h < sizes.insertion_levels; h++) {
+      const ChunkLevel &level = this->level(sizes.level_number(h, c));
+      *key++ = {sizes.radius_limit[h],
+                1 / level.cell,
+                1 / level.row_width,
+                {level.space.low[0], level.space.low[1], level.space.low[2]},
+                level.first_layer};
+    }
+  }
+}
+
+void ChunkRows::build(ChunkInput input, const Sizes &sizes, int dimension, uint32_t *slot, ChunkScratch &scratch,
+                      int threads) {
+  const size_t count = sizes.classes.end();
+  level_count_ = sizes.level_count();
+  levels_.require(static_cast<size_t>(level_count_));
+  for (int h = 0; h < level_count_; h++) {
+    level_at(h) = ChunkLevel{};
+    for (int axis = 0; axis < dimension; axis++) level_at(h).space.high[axis] = to_whole(input.map.extent[axis]);
   }
   if (!lay(input, sizes)) {
-    find_spaces(input, sizes, dimension, count);
+    find_spaces(input, sizes, dimension, scratch);
     lay(input, sizes);
   }
-  ChunkLevelKey levels[HG_MAX_LEVELS];
-  for (int h = 0; h < level_count_; h++) {
-    const ChunkLevel &level = levels_[h];
-    levels[h] = {sizes.radius_limit[h],
-                 1 / level.cell,
-                 1 / level.row_width,
-                 {level.space.low[0], level.space.low[1], level.space.low[2]},
-                 level.first_layer};
-  }
-  input.level_count = level_count_;
-  input.levels = levels;
+  list_level_keys(sizes, scratch);
+  input.level_count = sizes.insertion_levels;
   input.row_bits = row_bits_;
   const ChunkBuildKernel &kernel = active_kernels().chunk_build[dimension - 2];
   scratch.points.require_room(count);
   const PackedKeys packed{cell_bits_, bit_width(count)};
   if (layer_bits_ + row_bits_ + cell_bits_ + packed.slot_bits <= 64) {
-    const uint64_t *keys = sorted_packed_keys(input, kernel, count, packed, scratch, threads);
+    const uint64_t *keys = sorted_packed_keys(input, sizes, kernel, packed, scratch, threads);
     list_chunks([keys, packed](size_t i) { return unpack(packed, keys[i]); }, count, slot, scratch);
   } else {
-    const ChunkKey *keys = sorted_keys(input, kernel, count, scratch, threads);
+    const ChunkKey *keys = sorted_keys(input, sizes, kernel, scratch, threads);
     list_chunks([keys](size_t i) { return keys[i]; }, count, slot, scratch);
   }
   list_layers(scratch);
@@ -177,25 +212,29 @@ void ChunkRows::build(ChunkInput input, const Sizes &sizes, int dimension, size_
 }
 
 // By row, then by cell.
-const ChunkKey *ChunkRows::sorted_keys(const ChunkInput &input, const ChunkBuildKernel &kernel, size_t count,
+const ChunkKey *ChunkRows::sorted_keys(const ChunkInput &input, const Sizes &sizes, const ChunkBuildKernel &kernel,
                                        ChunkScratch &scratch, int threads) const {
+  const size_t count = sizes.classes.end();
   scratch.keys.require_room(count);
   scratch.other_keys.require_room(count);
   ChunkKey *keys = scratch.keys.data(), *other = scratch.other_keys.data();
-  each_part(threads, count,
-            [&](size_t begin, size_t end) { kernel.find_keys(input, begin, end, scratch.points.data(), keys); });
+  each_class(input, sizes, scratch.level_keys.data(), threads, [&](const ChunkInput &part, size_t begin, size_t end) {
+    kernel.find_keys(part, begin, end, scratch.points.data(), keys);
+  });
   ChunkKey *by_cell = radix_sort(keys, other, count, cell_bits_, [](const ChunkKey &key) { return key.cell; });
   return radix_sort(by_cell, by_cell == keys ? other : keys, count, row_bits_ + layer_bits_,
                     [](const ChunkKey &key) { return key.row; });
 }
 
 // The same with half of the memory to move.
-const uint64_t *ChunkRows::sorted_packed_keys(const ChunkInput &input, const ChunkBuildKernel &kernel, size_t count,
-                                              const PackedKeys &packed, ChunkScratch &scratch, int threads) const {
+const uint64_t *ChunkRows::sorted_packed_keys(const ChunkInput &input, const Sizes &sizes,
+                                              const ChunkBuildKernel &kernel, const PackedKeys &packed,
+                                              ChunkScratch &scratch, int threads) const {
+  const size_t count = sizes.classes.end();
   scratch.packed.require_room(2 * count);
   uint64_t *keys = scratch.packed.data();
-  each_part(threads, count, [&](size_t begin, size_t end) {
-    kernel.find_packed_keys(input, packed, begin, end, scratch.points.data(), keys);
+  each_class(input, sizes, scratch.level_keys.data(), threads, [&](const ChunkInput &part, size_t begin, size_t end) {
+    kernel.find_packed_keys(part, packed, begin, end, scratch.points.data(), keys);
   });
   const int slot_bits = packed.slot_bits;
   return radix_sort(keys, keys + count, count, layer_bits_ + row_bits_ + cell_bits_,
@@ -220,7 +259,7 @@ void ChunkRows::list_layers(const ChunkScratch &scratch) {
   layer_row_[layers_] = rows_;
   size_t layer = 0;
   for (int h = 0; h < level_count_; h++) {
-    ChunkLevel &level = levels_[h];
+    ChunkLevel &level = level_at(h);
     level.first = layer;
     while (layer < layers_ && layer_[layer] < level.first_layer + level.layers) layer++;
     level.end = layer;
@@ -233,7 +272,7 @@ void ChunkRows::set_origins() {
   origin_y_.require_room(chunks_ + kCellPadding);
   origin_z_.require_room(chunks_ + kCellPadding);
   for (int h = 0; h < level_count_; h++) {
-    const ChunkLevel &level = levels_[h];
+    const ChunkLevel &level = this->level(h);
     if (level.giants || level.first == level.end) continue;
     const int32_t low = low_word(level.space.low[0]), length = low_word(level.chunk_length());
     for (size_t c = level_chunk_begin(level); c < level_chunk_end(level); c++) {
@@ -279,7 +318,7 @@ void ChunkRows::place_giants(const ChunkInput &input, const uint32_t *slot, uint
 }
 
 ChunkTable ChunkRows::table(int h, float largest_radius) const {
-  const ChunkLevel &level = levels_[h];
+  const ChunkLevel &level = this->level(h);
   ChunkTable table{};
   table.row_width = static_cast<float>(level.row_width);
   table.inverse_cell = static_cast<float>(1 / level.cell);

@@ -9,7 +9,7 @@
 #include "src/exact/interaction.hpp"
 #include "src/index/chunk_plane.hpp"
 #include "src/kernels/kernel_set.hpp"
-#include "src/particles/particle_store.hpp"
+#include "src/particles/participants.hpp"
 #include "src/space/chunk_table.hpp"
 #include "src/space/fixed_point.hpp"
 #include "src/space/shifts.hpp"
@@ -43,19 +43,26 @@ struct ChunkScratch {
         packed(memory),
         row_key(memory),
         plane{ChunkPlane(memory), ChunkPlane(memory)},
-        place(memory) {}
+        place(memory),
+        level_keys(memory),
+        diameters(memory),
+        any(memory) {}
   Buffer<Point> points;               // by slot
   Buffer<ChunkKey> keys, other_keys;  // and room to sort them; or
   Buffer<uint64_t> packed;            // both, if keys fit into one number
   Buffer<uint64_t> row_key;           // of each row
   ChunkPlane plane[2];                // a layer and the next one
   Buffer<uint32_t> place;             // there, of each chunk
+  Buffer<ChunkLevelKey> level_keys;   // of each level, class by class
+  Buffer<double> diameters;           // of each level
+  Buffer<uint8_t> any;                // likewise: does it hold particles?
 };
 
 class ChunkRows {
  public:
   explicit ChunkRows(Memory &memory)
-      : layer_(memory),
+      : levels_(memory),
+        layer_(memory),
         layer_row_(memory),
         row_y_(memory),
         row_chunk_(memory),
@@ -76,19 +83,24 @@ class ChunkRows {
   // More particles than that have no place for their chunks in a word.
   static constexpr size_t kMostParticles = size_t{1} << 26;
 
-  // Of the levels: the largest radius that each takes, and the largest diameter (with margin) on it.
+  // Of the levels, all classes of the finest one first: the largest diameter (with margin) on each; and the largest
+  // radius that an insertion level takes.
   struct Sizes {
-    int level_count = 0;
-    double radius_limit[HG_MAX_LEVELS], diameter[HG_MAX_LEVELS];
+    int insertion_levels = 0;
+    double radius_limit[HG_MAX_LEVELS];
+    const double *diameter = nullptr;
+    ClassRanges classes;
+
+    int level_count() const { return insertion_levels * classes.count; }
+    int level_number(int insertion_level, int c) const { return insertion_level * classes.count + c; }
   };
   // Lays cells over the particles that `input` names (its levels and bits are set here), and sorts them: slot[i]
   // becomes the slot of particle i in sorted order. The scratch has the points then, by slot.
-  void build(ChunkInput input, const Sizes &sizes, int dimension, size_t count, uint32_t *slot, ChunkScratch &scratch,
-             int threads);
+  void build(ChunkInput input, const Sizes &sizes, int dimension, uint32_t *slot, ChunkScratch &scratch, int threads);
   // Keeps the places of giants, which are the particles from `begin` on.
   void place_giants(const ChunkInput &input, const uint32_t *slot, uint32_t begin, size_t count, int dimension);
 
-  const ChunkLevel &level(int h) const { return levels_[h]; }
+  const ChunkLevel &level(int h) const { return levels_[static_cast<size_t>(h)]; }
   ChunkTable table(int h, float largest_radius) const;
   size_t rows() const { return rows_; }
   size_t chunks() const { return chunks_; }
@@ -144,10 +156,11 @@ class ChunkRows {
   size_t first_chunk(size_t row, const Window &window) const;
 
   bool lay(const ChunkInput &input, const Sizes &sizes);
-  void find_spaces(const ChunkInput &input, const Sizes &sizes, int dimension, size_t count);
-  const ChunkKey *sorted_keys(const ChunkInput &input, const ChunkBuildKernel &kernel, size_t count,
+  void find_spaces(const ChunkInput &input, const Sizes &sizes, int dimension, ChunkScratch &scratch);
+  void list_level_keys(const Sizes &sizes, ChunkScratch &scratch) const;
+  const ChunkKey *sorted_keys(const ChunkInput &input, const Sizes &sizes, const ChunkBuildKernel &kernel,
                               ChunkScratch &scratch, int threads) const;
-  const uint64_t *sorted_packed_keys(const ChunkInput &input, const ChunkBuildKernel &kernel, size_t count,
+  const uint64_t *sorted_packed_keys(const ChunkInput &input, const Sizes &sizes, const ChunkBuildKernel &kernel,
                                      const PackedKeys &packed, ChunkScratch &scratch, int threads) const;
   template <class KeyAt>
   void list_chunks(KeyAt &&key_at, size_t count, uint32_t *slot, ChunkScratch &scratch);
@@ -170,7 +183,9 @@ class ChunkRows {
   void link_row(size_t row, int stencil_row, size_t neighbor);
   size_t lower_chunk(size_t row, int32_t x) const;
 
-  ChunkLevel levels_[HG_MAX_LEVELS];
+  ChunkLevel &level_at(int h) { return levels_[static_cast<size_t>(h)]; }
+
+  Buffer<ChunkLevel> levels_;
   int level_count_ = 0;
   int cell_bits_ = 0, row_bits_ = 0, layer_bits_ = 0;
   size_t layers_ = 0, rows_ = 0, chunks_ = 0, cells_ = 0;

@@ -18,6 +18,15 @@ struct ImageRange {
   Image begin, end;
 };
 
+// Of the particles of a level and of all that they search.
+float largest_radius_met(const Index &index, int h) {
+  float largest = index.levels[h].cells.largest_radius;
+  for (int k = 0; k < index.level_count; k++) {
+    if (index.searches(h, k)) largest = std::max(largest, index.levels[k].cells.largest_radius);
+  }
+  return largest;
+}
+
 class ImageBuilder {
  public:
   explicit ImageBuilder(Index &index)
@@ -40,26 +49,25 @@ class ImageBuilder {
     if (index_.chunked) {
       add_by_chunks(h, wanted);
     } else if (shifts_.steps_by_one()) {
-      add_by_steps(index_.levels[h], wanted.begin == 0 ? kBackwardImages : kForwardImages);
+      add_by_steps(h, wanted.begin == 0 ? kBackwardImages : kForwardImages);
     } else {
-      add_by_points(index_.levels[h], wanted);
+      add_by_points(h, wanted);
     }
   }
 
-  // The largest reach of a particle towards its own and finer levels, and what the search allows for.
-  static float reach_of(const IndexLevel &level) {
-    return 2 * level.cells.largest_radius * kSearchScale + kSearchSlack;
-  }
+  // The largest reach of a particle towards the levels that it searches, and what the search allows for.
+  float reach_of(int h) const { return 2 * largest_radius_met(index_, h) * kSearchScale + kSearchSlack; }
 
   // Images of the particles of a level, in the order of the particles.
-  void add_by_steps(const IndexLevel &level, ImageSet wanted) {
+  void add_by_steps(int h, ImageSet wanted) {
+    const IndexLevel &level = index_.levels[h];
     const PointStore &from = index_.particles;
     const int32_t *period = index_.map.period;
     const bool *periodic = index_.domain.periodic;
     const ImageInput input{{from.x.data(), from.y.data(), from.z.data()},
                            {periodic[0], periodic[1], periodic[2]},
                            {period[0], period[1], period[2]},
-                           reach_of(level),
+                           reach_of(h),
                            wanted};
     for (uint32_t begin = level.begin; begin < level.end;) {
       const uint32_t end = begin + std::min(kTogether, level.end - begin);
@@ -69,8 +77,9 @@ class ImageBuilder {
   }
 
   // The same in any other cell.
-  void add_by_points(const IndexLevel &level, const ImageRange &wanted) {
-    const double reach = static_cast<double>(reach_of(level));
+  void add_by_points(int h, const ImageRange &wanted) {
+    const IndexLevel &level = index_.levels[h];
+    const double reach = static_cast<double>(reach_of(h));
     size_t found = 0;
     for (uint32_t i = level.begin; i < level.end; i++) {
       double place[3] = {0, 0, 0};
@@ -90,7 +99,7 @@ class ImageBuilder {
   void add_by_chunks(int h, const ImageRange &wanted) {
     const ChunkRows &chunks = index_.chunks;
     const ChunkLevel &level = chunks.level(h);
-    const double largest = static_cast<double>(index_.levels[h].cells.largest_radius);
+    const double largest = static_cast<double>(largest_radius_met(index_, h));
     const double reach = 2 * largest + 2 * level.slack + kFarSlack;
     chunks.visit_box(level, level.space, [&](size_t chunk, const double *corner) {
       const double end[3] = {corner[0] + level.chunk_length(), corner[1] + level.row_width,
@@ -152,6 +161,7 @@ class ImageBuilder {
     fill(to.radius, found, [&](PointImage image) { return from.radius[image.point]; });
     fill(to.slot, found, [&](PointImage image) { return from.slot[image.point]; });
     fill(to.image, found, [](PointImage image) { return image.image; });
+    if (from.with_bodies) fill(to.body, found, [&](PointImage image) { return from.body[image.point]; });
     count_ += static_cast<uint32_t>(found);
   }
 
@@ -179,16 +189,16 @@ void build_images(Index &index) {
   if (!index.domain.any_periodic || alone) return;
   index.shifts.list(index.domain, index.map, index.largest_reach());
   ImageBuilder images(index);
-  bool some_finer = false;
   for (int h = 0; h < index.level_count; h++) {
     IndexLevel &level = index.levels[h];
+    bool others = false;
+    for (int k = 0; k < index.level_count; k++) others = others || (k != h && index.searches(h, k));
     level.image_begin = images.count();
-    images.add_forward(h);
+    if (others || index.searches(h, h)) images.add_forward(h);
     level.image_forward_end = images.count();
-    // Backward ones are for finer levels only.
-    if (some_finer) images.add_backward(h);
+    // Backward ones are for other levels only.
+    if (others) images.add_backward(h);
     level.image_end = images.count();
-    some_finer = some_finer || !level.is_empty();
   }
 }
 

@@ -11,6 +11,7 @@
 #include "src/index/squeezed_axes.hpp"
 #include "src/kernels/points.hpp"
 #include "src/levels/level_plan.hpp"
+#include "src/particles/group_table.hpp"
 #include "src/space/cell_table.hpp"
 #include "src/space/fixed_point.hpp"
 #include "src/space/shift_table.hpp"
@@ -22,9 +23,16 @@ namespace hg {
 // Fixed-point particles as structure of arrays.
 class PointStore {
  public:
-  explicit PointStore(Memory &memory) : x(memory), y(memory), z(memory), radius(memory), slot(memory), image(memory) {}
+  explicit PointStore(Memory &memory)
+      : x(memory), y(memory), z(memory), radius(memory), slot(memory), image(memory), body(memory) {}
   PointArrays arrays(bool with_images) const {
-    return {x.data(), y.data(), z.data(), radius.data(), slot.data(), with_images ? image.data() : nullptr};
+    return {x.data(),
+            y.data(),
+            z.data(),
+            radius.data(),
+            slot.data(),
+            with_images ? image.data() : nullptr,
+            with_bodies ? body.data() : nullptr};
   }
   PointColumns columns() { return {x.data(), y.data(), z.data(), radius.data(), slot.data()}; }
   Buffer<int32_t> &column(int axis) { return axis == 0 ? x : (axis == 1 ? y : z); }
@@ -36,14 +44,18 @@ class PointStore {
   Buffer<float> radius;
   Buffer<uint32_t> slot;
   Buffer<Image> image;
+  bool with_bodies = false;
+  Buffer<int32_t> body;
 };
 
+// The particles of one level of insertion and of one class of groups.
 struct IndexLevel {
   PlannedLevel plan;
+  int insertion_level = 0, group_class = 0;
   double largest_radius = 0;    // of the particles on the level
   uint32_t begin = 0, end = 0;  // in the sorted particles
   // Periodic images that reach into the box, in the sorted images: those that stand for a step forward come first, so
-  // that own-level pairs across the box are met from one side only. The finest level with particles has no others.
+  // that own-level pairs across the box are met from one side only. Others are for other levels that it searches.
   uint32_t image_begin = 0, image_forward_end = 0, image_end = 0;
   CellTable cells{};  // unless the index is chunked
 
@@ -56,6 +68,7 @@ class Index {
   Index(Memory &memory, const Domain &of_domain, const Interaction &of_interaction)
       : domain(of_domain),
         interaction(of_interaction),
+        level_room(memory),
         shifts(memory),
         particles(memory),
         images(memory),
@@ -64,8 +77,15 @@ class Index {
         squeezed(memory),
         image_place{Buffer<double>(memory), Buffer<double>(memory), Buffer<double>(memory)} {}
 
+  // Lays out levels without particles, all classes of the finest one first.
+  void lay_levels(const LevelPlan &plan, const GroupClasses &of_groups);
+  int level_number(int insertion_level, int group_class) const { return insertion_level * classes.count + group_class; }
+  // Does level h look for the particles of level k? Of two that meet, one does: the coarser one, or that of fewer.
+  bool searches(int h, int k) const;
+
   uint32_t image_count() const { return level_count > 0 ? levels[level_count - 1].image_end : 0; }
   ChunkTable chunk_table(int h) const { return chunks.table(h, levels[h].cells.largest_radius); }
+  bool is_squeezed(int axis) const { return squeezed.in_use() && !domain.periodic[axis]; }
   // Farther than any two of its particles interact.
   double largest_reach() const { return interaction.diameter(largest_radius); }
   // The cell is another one from now on; particles and cells stay where they are.
@@ -81,8 +101,12 @@ class Index {
   Domain domain;
   Interaction interaction;  // that it is made for: the grid's, or wider by a skin
   FixedPoint map;
-  int level_count = 0;
-  IndexLevel levels[HG_MAX_LEVELS];
+  int insertion_levels = 0;
+  GroupClasses classes;
+  int level_count = 0;           // in all classes
+  IndexLevel *levels = nullptr;  // coarser ones behind finer ones
+  Buffer<IndexLevel> level_room;
+  size_t particle_count = 0;
   double largest_radius = 0;
   int64_t row_count = 0, cell_count = 0;
 

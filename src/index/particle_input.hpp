@@ -4,13 +4,14 @@
 #pragma once
 
 #include "src/index/index.hpp"
-#include "src/particles/particle_store.hpp"
+#include "src/particles/participants.hpp"
 
 namespace hg {
 
 // For an index whose map and interaction are set.
-inline ParticleInput particle_input(const ParticleStore &store, const Index &index) {
-  return {store.centers(), store.radii(), store.summary().center, index.map, index.interaction.folded_radius(0)};
+inline ParticleInput particle_input(const Participants &particles, const Index &index) {
+  return {particles.centers(), particles.radii(), particles.summary().center, index.map,
+          index.interaction.folded_radius(0)};
 }
 
 }  // namespace hg

@@ -6,18 +6,18 @@
 
 namespace hg {
 
-Bounds SqueezedAxes::squeeze(const ParticleStore &store, const Domain &domain, double gap) {
-  const size_t count = store.slots();
+Bounds SqueezedAxes::squeeze(const Participants &particles, const Domain &domain, double gap) {
+  const size_t count = particles.count();
   const auto dimension = static_cast<size_t>(domain.dimension);
   centers_.require_room(count * dimension);
   Bounds bounds;
   for (int axis = 0; axis < domain.dimension; axis++) {
     if (domain.periodic[axis]) {
       const auto a = static_cast<size_t>(axis);
-      for (size_t slot = 0; slot < count; slot++) centers_[slot * dimension + a] = store.center(slot)[a];
+      for (size_t slot = 0; slot < count; slot++) centers_[slot * dimension + a] = particles.center(slot)[a];
       bounds.max[axis] = domain.length[axis];
     } else {
-      bounds.max[axis] = squeeze_axis(store, axis, dimension, gap);
+      bounds.max[axis] = squeeze_axis(particles, axis, dimension, gap);
     }
   }
   in_use_ = true;
@@ -25,14 +25,14 @@ Bounds SqueezedAxes::squeeze(const ParticleStore &store, const Domain &domain, d
 }
 
 // Returns the extent. Within a bin no gap is long, so that runs are runs of bins.
-double SqueezedAxes::squeeze_axis(const ParticleStore &store, int axis, size_t dimension, double gap) {
-  const size_t count = store.slots();
+double SqueezedAxes::squeeze_axis(const Participants &particles, int axis, size_t dimension, double gap) {
+  const size_t count = particles.count();
   const auto a = static_cast<size_t>(axis);
   bins_.begin(gap, count);
   for (size_t slot = 0; slot < count; slot += AxisBins::kTogether) {
     double x[AxisBins::kTogether];
     const size_t here = std::min(count - slot, AxisBins::kTogether);
-    for (size_t i = 0; i < here; i++) x[i] = store.center(slot + i)[a];
+    for (size_t i = 0; i < here; i++) x[i] = particles.center(slot + i)[a];
     bins_.add(slot, x, here);
   }
   bins_.sort();
@@ -56,7 +56,7 @@ double SqueezedAxes::squeeze_axis(const ParticleStore &store, int axis, size_t d
   run_count_[axis] = run;
   for (size_t slot = 0; slot < count; slot++) {
     const Run &here = bin_run_[bins_.bin_of(slot)];
-    centers_[slot * dimension + a] = here.squeezed_begin + (store.center(slot)[a] - here.begin);
+    centers_[slot * dimension + a] = here.squeezed_begin + (particles.center(slot)[a] - here.begin);
   }
   return extent;
 }

@@ -7,7 +7,7 @@
 #include "src/base/memory.hpp"
 #include "src/exact/domain.hpp"
 #include "src/index/axis_bins.hpp"
-#include "src/particles/particle_store.hpp"
+#include "src/particles/participants.hpp"
 #include "src/space/bounds.hpp"
 
 #include <cstddef>
@@ -28,7 +28,7 @@ class SqueezedAxes {
 
   // Squeezes all open axes so that no gap is longer than `gap`, up to kLongestGap, and tells the bounds that centers()
   // have then.
-  Bounds squeeze(const ParticleStore &store, const Domain &domain, double gap);
+  Bounds squeeze(const Participants &particles, const Domain &domain, double gap);
   void release() { in_use_ = false; }
 
   bool in_use() const { return in_use_; }
@@ -43,7 +43,7 @@ class SqueezedAxes {
     double begin, squeezed_begin;
   };
 
-  double squeeze_axis(const ParticleStore &store, int axis, size_t dimension, double gap);
+  double squeeze_axis(const Participants &particles, int axis, size_t dimension, double gap);
 
   bool in_use_ = false;
   Buffer<double> centers_;

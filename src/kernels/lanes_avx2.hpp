@@ -68,6 +68,7 @@ struct Avx2Lanes {
 
   static Mask less(Float a, Float b) { return _mm256_castps_si256(_mm256_cmp_ps(a, b, _CMP_LT_OQ)); }
   static Mask greater(Int a, Int b) { return _mm256_cmpgt_epi32(a, b); }
+  static Mask equal(Int a, Int b) { return _mm256_cmpeq_epi32(a, b); }
   static Mask both(Mask a, Mask b) { return _mm256_and_si256(a, b); }
   static Mask either(Mask a, Mask b) { return _mm256_or_si256(a, b); }
   static Mask without(Mask a, Mask b) { return _mm256_andnot_si256(b, a); }

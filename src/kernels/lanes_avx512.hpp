@@ -55,6 +55,7 @@ struct Avx512Lanes {
 
   static Mask less(Float a, Float b) { return _mm512_cmp_ps_mask(a, b, _CMP_LT_OQ); }
   static Mask greater(Int a, Int b) { return _mm512_cmpgt_epi32_mask(a, b); }
+  static Mask equal(Int a, Int b) { return _mm512_cmpeq_epi32_mask(a, b); }
   static Mask both(Mask a, Mask b) { return static_cast<Mask>(a & b); }
   static Mask either(Mask a, Mask b) { return static_cast<Mask>(a | b); }
   static Mask without(Mask a, Mask b) { return static_cast<Mask>(a & ~b); }

@@ -77,6 +77,7 @@ struct NeonLanes {
 
   static Mask less(Float a, Float b) { return vcltq_f32(a, b); }
   static Mask greater(Int a, Int b) { return vcgtq_s32(a, b); }
+  static Mask equal(Int a, Int b) { return vceqq_s32(a, b); }
   static Mask both(Mask a, Mask b) { return vandq_u32(a, b); }
   static Mask either(Mask a, Mask b) { return vorrq_u32(a, b); }
   static Mask without(Mask a, Mask b) { return vbicq_u32(a, b); }

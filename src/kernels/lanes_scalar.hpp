@@ -42,6 +42,7 @@ struct ScalarLanes {
 
   static Mask less(Float a, Float b) { return a < b; }
   static Mask greater(Int a, Int b) { return a > b; }
+  static Mask equal(Int a, Int b) { return a == b; }
   static Mask both(Mask a, Mask b) { return a && b; }
   static Mask either(Mask a, Mask b) { return a || b; }
   static Mask without(Mask a, Mask b) { return a && !b; }

@@ -54,6 +54,7 @@ struct Sse2Lanes {
 
   static Mask less(Float a, Float b) { return _mm_castps_si128(_mm_cmplt_ps(a, b)); }
   static Mask greater(Int a, Int b) { return _mm_cmpgt_epi32(a, b); }
+  static Mask equal(Int a, Int b) { return _mm_cmpeq_epi32(a, b); }
   static Mask both(Mask a, Mask b) { return _mm_and_si128(a, b); }
   static Mask either(Mask a, Mask b) { return _mm_or_si128(a, b); }
   static Mask without(Mask a, Mask b) { return _mm_andnot_si128(b, a); }

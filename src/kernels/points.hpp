@@ -19,7 +19,8 @@ struct PointArrays {
   const int32_t *x, *y, *z;  // z is not read in 2D
   const float *radius;
   const uint32_t *slot;
-  const Image *image;  // which periodic image the points stand for; NULL: kNoImage, all of them
+  const Image *image;             // which periodic image the points stand for; NULL: kNoImage, all of them
+  const int32_t *body = nullptr;  // of which they are parts, negative: of none; NULL: all of none
 };
 
 // The same while they are made.

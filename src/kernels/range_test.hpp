@@ -14,7 +14,8 @@
 namespace hg {
 namespace {
 
-constexpr uint32_t kMaxRanges = 1024;  // candidate ranges collected before they are tested
+constexpr int32_t kMatchesNone = INT32_MIN;  // no particle has such a body
+constexpr uint32_t kMaxRanges = 1024;        // candidate ranges collected before they are tested
 
 // Candidates [begin, end) of one point.
 struct Ranges {
@@ -53,7 +54,13 @@ class RangeTest {
     ranges_.count = at + V::count(some);
   }
 
-  bool consume() {
+  bool consume() { return points_.body != nullptr ? consume_as<true>() : consume_as<false>(); }
+
+  const PointArrays &points_;
+
+ private:
+  template <bool kBodies>
+  bool consume_as() {
     // Locals, as the compiler must assume that writing pairs changes what members point to.
     const PointArrays points = points_, others = particles_;
     hg_pair *next = stream_->output.next;
@@ -67,7 +74,7 @@ class RangeTest {
         const uint32_t piece_end = end - begin > kMaxPiece ? begin + kMaxPiece : end;
         go_on = have_room(piece_end - begin + kPadding, next);
         if (!go_on) break;
-        const uint32_t tested = test(points, ranges_.point[k], others, begin, piece_end, next);
+        const uint32_t tested = test<kBodies>(points, ranges_.point[k], others, begin, piece_end, next);
         candidates += tested - begin;
         begin = tested;
       } while (begin < end);
@@ -78,9 +85,6 @@ class RangeTest {
     return go_on;
   }
 
-  const PointArrays &points_;
-
- private:
   // Room for so many pairs at `next`, which moves where they are given another place.
   bool have_room(uint32_t pairs, hg_pair *&next) {
     if (__builtin_expect(static_cast<size_t>(stream_->output.limit - next) >= pairs, 1)) return true;
@@ -91,13 +95,16 @@ class RangeTest {
   }
 
   // Tests candidates of point i from `begin` on, up to `end` or to where some are undecided, and returns how far it
-  // came: a loop that calls nothing keeps its vectors in registers.
+  // came: a loop that calls nothing keeps its vectors in registers. Parts of one body are no pair.
+  template <bool kBodies>
   uint32_t test(const PointArrays points, uint32_t i, const PointArrays others, uint32_t begin, uint32_t end,
                 hg_pair *&next) {
     const I x = V::set(points.x[i]), y = V::set(points.y[i]), z = V::set(D == 3 ? points.z[i] : 0);
     const F radius = V::set(points.radius[i]), band_constant = V::set(stream_->judge.band_constant);
     const uint32_t slot = points.slot[i];
     const int32_t offset = stream_->judge.id_offset;
+    [[maybe_unused]] I body{};
+    if constexpr (kBodies) body = V::set(points.body[i] < 0 ? kMatchesNone : points.body[i]);
     uint32_t j = begin, found, sure;
     do {
       const F dx = V::to_float(V::sub(x, V::load(others.x + j)));
@@ -108,7 +115,8 @@ class RangeTest {
         d2 = V::add(d2, V::mul(dz, dz));
       }
       const auto verdict = fast_test<V>(d2, Rule::template base<V>(radius, V::load(others.radius + j)), band_constant);
-      const uint32_t here = lanes_before(end - j);
+      uint32_t here = lanes_before(end - j);
+      if constexpr (kBodies) here &= ~V::bits(V::equal(body, V::load(others.body + j)));
       found = verdict.possible() & here;
       sure = verdict.sure() & here;
       if (__builtin_expect(found != sure, 0)) break;

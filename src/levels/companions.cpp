@@ -49,22 +49,22 @@ class CellCounts {
 
 }  // namespace
 
-double estimate_companions(const ParticleStore &store, const FixedPoint &map, int dimension, const CellTable &cells,
-                           const RadiusRange &radii, size_t particles, double enough) {
-  const size_t count = store.slots(), looked_at = std::min(count, kSample);
-  const auto mean = [particles](double together, size_t sampled) {
+double estimate_companions(const Participants &particles, const FixedPoint &map, int dimension, const CellTable &cells,
+                           const RadiusRange &radii, size_t members, double enough) {
+  const size_t count = particles.count(), looked_at = std::min(count, kSample);
+  const auto mean = [members](double together, size_t sampled) {
     const double all_pairs = 0.5 * static_cast<double>(sampled) * static_cast<double>(sampled - 1);
-    return static_cast<double>(particles) * together / all_pairs;
+    return static_cast<double>(members) * together / all_pairs;
   };
   CellCounts counts;
   size_t sampled = 0;
   double together = 0;  // pairs in a cell
   for (size_t n = 0; n < looked_at; n++) {
     const size_t slot = n * count / looked_at;
-    const double radius = store.radius(slot);
+    const double radius = particles.radius(slot);
     if (!(radius > radii.above && radius <= radii.up_to)) continue;
     sampled++;
-    together += counts.add(cell_number(store.center(slot), map, dimension, cells));
+    together += counts.add(cell_number(particles.center(slot), map, dimension, cells));
     if (sampled > 1 && mean(together, looked_at) > enough) return mean(together, looked_at);
   }
   return sampled < 2 ? 0 : mean(together, sampled);

@@ -3,7 +3,7 @@
 // How many others share a particle's cell, estimated from a sample: whether a table of cells suits a level.
 #pragma once
 
-#include "src/particles/particle_store.hpp"
+#include "src/particles/participants.hpp"
 #include "src/space/cell_table.hpp"
 #include "src/space/fixed_point.hpp"
 
@@ -17,9 +17,9 @@ struct RadiusRange {
   double above, up_to;
 };
 
-// The mean over the particles of a level, not over its cells. Looks no further where it is certain that it is more than
+// The mean over the `members` of a level, not over its cells. Looks no further where it is certain that it is more than
 // `enough`, and returns a number that is.
-double estimate_companions(const ParticleStore &store, const FixedPoint &map, int dimension, const CellTable &cells,
-                           const RadiusRange &radii, size_t particles, double enough);
+double estimate_companions(const Participants &particles, const FixedPoint &map, int dimension, const CellTable &cells,
+                           const RadiusRange &radii, size_t members, double enough);
 
 }  // namespace hg

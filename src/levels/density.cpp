@@ -35,12 +35,12 @@ int64_t pairs_in_one_cell(const uint64_t *keys, size_t count, int shift) {
 
 }  // namespace
 
-Density Density::sample(const ParticleStore &store, const FixedPoint &map, int dimension) {
-  const size_t count = store.slots(), taken = std::min(count, kSample);
+Density Density::sample(const Participants &particles, const FixedPoint &map, int dimension) {
+  const size_t count = particles.count(), taken = std::min(count, kSample);
   uint64_t keys[kSample];
   for (size_t i = 0; i < taken; i++) {
     int32_t x[3] = {0, 0, 0};
-    map.find_coordinates(store.center(i * count / taken), dimension, x);
+    map.find_coordinates(particles.center(i * count / taken), dimension, x);
     keys[i] = interleaved(x, dimension);
   }
   std::sort(keys, keys + taken);

@@ -3,7 +3,7 @@
 // How densely particles lie around each other, at each scale of length; N / V in evenly filled space.
 #pragma once
 
-#include "src/particles/particle_store.hpp"
+#include "src/particles/participants.hpp"
 #include "src/space/fixed_point.hpp"
 
 namespace hg {
@@ -11,7 +11,7 @@ namespace hg {
 class Density {
  public:
   // Looks at 1024 particles at most, always the same of the same particles.
-  static Density sample(const ParticleStore &store, const FixedPoint &map, int dimension);
+  static Density sample(const Participants &particles, const FixedPoint &map, int dimension);
   // All particles evenly in a volume of `extent`, in quanta; for tests and as the limit of sample.
   static Density even(const double *extent, int dimension);
 

@@ -18,11 +18,11 @@ double LevelSettings::largest_diameter() const {
   return rule == HG_LEVELS_USER ? cell_sizes[level_count - 1] : std::numeric_limits<double>::infinity();
 }
 
-LevelPlan LevelChoice::user_plan(const ParticleStore &store, double skin) const {
+LevelPlan LevelChoice::user_plan(const Participants &particles, double skin) const {
   LevelPlan plan = user_levels(settings_.cell_sizes, settings_.level_count, interaction_);
   // The coarsest cells hold all particles as they are; with their margin they may be wider.
-  if (store.slots() > 0) {
-    const double largest = store.summary().radius.greatest;
+  if (particles.count() > 0) {
+    const double largest = particles.summary().radius.greatest;
     PlannedLevel &coarsest = plan.levels[plan.level_count - 1];
     coarsest.radius_limit = std::max(coarsest.radius_limit, largest);
     coarsest.cell_size = std::max(coarsest.cell_size, interaction_.diameter(largest));
@@ -33,29 +33,29 @@ LevelPlan LevelChoice::user_plan(const ParticleStore &store, double skin) const 
   return plan;
 }
 
-void LevelChoice::make_classes(const ParticleStore &store) {
+void LevelChoice::make_classes(const Participants &particles) {
   if (classes_made_) return;
   if (settings_.rule == HG_LEVELS_PAPER) {
-    classes_.sort_radii(store.radii(), store.slots(), store.summary().radius);
+    classes_.sort_radii(particles.radii(), particles.count(), particles.summary().radius);
   } else {
-    classes_.bin_radii(store.radii(), store.slots(), store.summary().radius);
+    classes_.bin_radii(particles.radii(), particles.count(), particles.summary().radius);
   }
   classes_made_ = true;
 }
 
-LevelPlan LevelChoice::choose(const ParticleStore &store, const FixedPoint &map, const FilledVolume &volume,
+LevelPlan LevelChoice::choose(const Participants &particles, const FixedPoint &map, const FilledVolume &volume,
                               const Interaction &wide) {
-  if (settings_.rule == HG_LEVELS_USER) return user_plan(store, wide.margin - interaction_.margin);
-  make_classes(store);
+  if (settings_.rule == HG_LEVELS_USER) return user_plan(particles, wide.margin - interaction_.margin);
+  make_classes(particles);
   const LevelRequest request{volume, settings_.level_count, settings_.rule == HG_LEVELS_PAPER ? 0 : kFittedPrecision,
                              wide};
-  if (!settings_.counts_work || store.slots() == 0) {
+  if (!settings_.counts_work || particles.count() == 0) {
     return plan_levels(classes_, request, OccupancyCost(settings_.cell_overhead));
   }
-  const WorkPrices prices = settings_.prices.fitted(store.slots());
+  const WorkPrices prices = settings_.prices.fitted(particles.count());
   // One size leaves no choice that would be worth a sample.
   const Density density = classes_.count() == 1 ? Density::even(map.extent, volume.dimension)
-                                                : Density::sample(store, map, volume.dimension);
+                                                : Density::sample(particles, map, volume.dimension);
   return plan_levels(classes_, request, WorkCost(classes_, wide, map, volume.dimension, density, prices));
 }
 

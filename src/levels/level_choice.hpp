@@ -5,7 +5,7 @@
 
 #include "src/levels/level_plan.hpp"
 #include "src/levels/work_cost.hpp"
-#include "src/particles/particle_store.hpp"
+#include "src/particles/participants.hpp"
 
 namespace hg {
 
@@ -30,12 +30,12 @@ class LevelChoice {
   // The size classes are kept while only centres move.
   void radii_changed() { classes_made_ = false; }
   // For a store without gaps; `wide`: the interaction, wider by a skin or not.
-  LevelPlan choose(const ParticleStore &store, const FixedPoint &map, const FilledVolume &volume,
+  LevelPlan choose(const Participants &particles, const FixedPoint &map, const FilledVolume &volume,
                    const Interaction &wide);
 
  private:
-  LevelPlan user_plan(const ParticleStore &store, double skin) const;
-  void make_classes(const ParticleStore &store);
+  LevelPlan user_plan(const Participants &particles, double skin) const;
+  void make_classes(const Participants &particles);
 
   LevelSettings settings_;
   Interaction interaction_;

@@ -25,7 +25,10 @@ ParticleStore::ParticleStore(Memory &memory, const InputCheck &check, const Shor
       centers_(memory),
       radii_(memory),
       ids_(memory),
-      dead_(memory) {}
+      dead_(memory),
+      given_groups_(memory),
+      groups_(memory, 0),
+      bodies_(memory, kNoBody) {}
 
 void ParticleStore::check_ids(int64_t first, size_t count) const {
   if (static_cast<uint64_t>(count) > static_cast<uint64_t>(kMaxId - first) + 1) {
@@ -40,6 +43,8 @@ void ParticleStore::insert(size_t count, const double *centers, const double *ra
   radii_.grow(slots_ + count);
   if (!contiguous_) ids_.grow(slots_ + count);
   if (removed_ > 0) dead_.grow(slots_ + count);
+  groups_.grow(slots_, count);
+  bodies_.grow(slots_, count);
 
   // Copied beyond what counts, so that nothing has changed if the check fails.
   InputSummary all =
@@ -55,14 +60,14 @@ void ParticleStore::insert(size_t count, const double *centers, const double *ra
   next_id_ += static_cast<int64_t>(count);
 }
 
-void ParticleStore::check_move(size_t count) const {
+void ParticleStore::check_count(size_t count) const {
   if (count != live_count()) {
     fail(HG_ERR_ARGUMENT, "count is %zu but the grid holds %zu particles", count, live_count());
   }
 }
 
 void ParticleStore::move(size_t count, const double *centers, const double *radii) {
-  check_move(count);
+  check_count(count);
   if (count == 0) return;
   compact();
   InputSummary found = check_.check({count, centers, radii, nullptr, nullptr});
@@ -84,6 +89,11 @@ void ParticleStore::set(size_t count, const double *centers, const double *radii
   }
   centers_.grow(count * dimension_);
   radii_.grow(count);
+  compact();
+  if (count != slots_) {
+    groups_.forget();
+    bodies_.forget();
+  }
   if (count > 0) {
     std::memcpy(centers_.data(), centers, count * dimension_ * sizeof(double));
     std::memcpy(radii_.data(), radii, count * sizeof(double));
@@ -143,6 +153,46 @@ void ParticleStore::clear() {
   removed_ = 0;
   contiguous_ = true;
   next_id_ = index_base_;
+  groups_.forget();
+  bodies_.forget();
+}
+
+bool ParticleStore::set_groups(size_t count, const int32_t *groups) {
+  compact();
+  if (groups == nullptr) {
+    const bool told = groups_.data() != nullptr;
+    groups_.forget();
+    return told;
+  }
+  check_count(count);
+  given_groups_.grow(count);
+  for (size_t slot = 0; slot < count; slot++) {
+    if (groups[slot] < kAbsent || groups[slot] >= HG_MAX_GROUPS) {
+      fail(HG_ERR_ARGUMENT, "groups[%zu] = %d is neither -1 (absent) nor one of 0 .. %d", slot,
+           static_cast<int>(groups[slot]), HG_MAX_GROUPS - 1);
+    }
+    given_groups_[slot] = static_cast<int8_t>(groups[slot]);
+  }
+  if (groups_.is(count, given_groups_.data())) return false;
+  groups_.give(count, given_groups_.data());
+  return true;
+}
+
+bool ParticleStore::set_bodies(size_t count, const int32_t *bodies) {
+  compact();
+  if (bodies == nullptr) {
+    const bool told = bodies_.data() != nullptr;
+    bodies_.forget();
+    return told;
+  }
+  check_count(count);
+  for (size_t slot = 0; slot < count; slot++) {
+    if (bodies[slot] >= kNoBody) continue;
+    fail(HG_ERR_ARGUMENT, "bodies[%zu] = %d is neither -1 (no body) nor >= 0", slot, static_cast<int>(bodies[slot]));
+  }
+  if (bodies_.is(count, bodies)) return false;
+  bodies_.give(count, bodies);
+  return true;
 }
 
 void ParticleStore::compact() noexcept {
@@ -153,6 +203,8 @@ void ParticleStore::compact() noexcept {
     std::memmove(centers_.data() + to * dimension_, centers_.data() + from * dimension_, dimension_ * sizeof(double));
     radii_[to] = radii_[from];
     ids_[to] = ids_[from];
+    groups_.move(from, to);
+    bodies_.move(from, to);
     to++;
   }
   slots_ = to;

@@ -7,6 +7,7 @@
 #include "src/base/memory.hpp"
 #include "src/exact/overlap.hpp"
 #include "src/particles/input_check.hpp"
+#include "src/particles/optional_column.hpp"
 #include "src/particles/short_cell.hpp"
 
 #include <cstddef>
@@ -14,13 +15,16 @@
 
 namespace hg {
 
+inline constexpr int kAbsent = -1;  // as a group
+inline constexpr int32_t kNoBody = -1;
+
 class ParticleStore {
  public:
   ParticleStore(Memory &memory, const InputCheck &check, const ShortCell &cell, int dimension, int32_t index_base);
 
   // Throw if the next call cannot take so many particles.
   void check_insert(size_t count) const { check_ids(next_id_, count); }
-  void check_move(size_t count) const;
+  void check_count(size_t count) const;  // of calls that name all particles
   void check_set(size_t count) const { check_ids(index_base_, count); }
   // Throws and changes nothing if a value is bad.
   void insert(size_t count, const double *centers, const double *radii);
@@ -31,11 +35,15 @@ class ParticleStore {
   void clear();
   // Throws and changes nothing if the particles do not suit the cell.
   void set_cell(const Domain &domain, const ShortCell &cell);
+  // Throw and change nothing if a value is bad. False if all have these already.
+  bool set_groups(size_t count, const int32_t *groups);
+  bool set_bodies(size_t count, const int32_t *bodies);
   // Closes the gaps that remove() left. Slots change.
   void compact() noexcept;
 
   size_t live_count() const { return slots_ - removed_; }
   size_t slots() const { return slots_; }
+  size_t dimension() const { return dimension_; }
   const double *center(size_t slot) const { return centers_.data() + slot * dimension_; }
   double radius(size_t slot) const { return radii_[slot]; }
   const double *centers() const { return centers_.data(); }
@@ -43,6 +51,13 @@ class ParticleStore {
   // Of all that is stored, after compact(). Defined while slots() > 0.
   const InputSummary &summary() const { return summary_; }
   Ball ball(size_t slot) const { return {center(slot), radius(slot)}; }
+  // The same of some of them, copied elsewhere.
+  InputSummary summarise(const double *centers, const double *radii, size_t count) const {
+    return check_.summarise({count, centers, radii, nullptr, nullptr});
+  }
+  // By slot, after compact(); NULL: all are in group 0, none has a body.
+  const int8_t *groups() const { return groups_.data(); }
+  const int32_t *bodies() const { return bodies_.data(); }
 
   // True if ids are those that set() would give.
   bool is_as_set() const { return contiguous_ && removed_ == 0; }
@@ -73,6 +88,9 @@ class ParticleStore {
   Buffer<double> radii_;
   Buffer<int32_t> ids_;   // kept only once ids have gaps
   Buffer<uint8_t> dead_;  // per slot, valid while removed_ > 0
+  Buffer<int8_t> given_groups_;
+  OptionalColumn<int8_t> groups_;
+  OptionalColumn<int32_t> bodies_;
 };
 
 }  // namespace hg

@@ -46,8 +46,9 @@ void SearchTasks::list(const Index &index) {
   // Coarse levels first: their tasks are the longest.
   for (int h = index.level_count - 1; h >= 0; h--) {
     const IndexLevel &level = index.levels[h];
-    for (int target = h; target >= 0; target--) {
-      if (index.levels[target].is_empty()) continue;
+    if (level.is_empty()) continue;
+    for (int target = index.level_number(level.insertion_level + 1, 0) - 1; target >= 0; target--) {
+      if (!index.searches(h, target)) continue;
       add(index, h, target, false, level.begin, level.end);
       add(index, h, target, true, level.image_begin, target == h ? level.image_forward_end : level.image_end);
     }

@@ -36,14 +36,16 @@ bool comes_before(const PlacedSlot &p, const PlacedSlot &q) {
 void SpatialOrder::find(const BuiltGrid &grid) {
   const Index &index = grid.index;
   const size_t count = grid.store.slots();
-  const auto dimension = static_cast<size_t>(index.domain.dimension);
-  const double *centers = index.squeezed.in_use() ? index.squeezed.centers() : grid.store.centers();
   Buffer<PlacedSlot> placed(memory_);
   placed.require(count);
   ids_.require_room(count);
   for (size_t slot = 0; slot < count; slot++) {
-    double quanta[3] = {0, 0, 0};
-    index.map.find_quanta(centers + slot * dimension, index.domain.dimension, quanta);
+    double center[3], quanta[3] = {0, 0, 0};
+    for (int axis = 0; axis < index.domain.dimension; axis++) {
+      const double x = grid.store.center(slot)[axis];
+      center[axis] = index.is_squeezed(axis) ? index.squeezed.position(axis, x) : x;
+    }
+    index.map.find_quanta(center, index.domain.dimension, quanta);
     for (size_t k = 0; k < 3; k++) {
       placed[slot].place[k] = static_cast<uint64_t>(std::clamp(quanta[k], 0.0, kMostQuanta));
     }

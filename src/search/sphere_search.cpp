@@ -107,8 +107,7 @@ class SphereSearch {
   }
 
   double place(int axis, double x) const {
-    const bool squeezed = index_.squeezed.in_use() && !index_.domain.periodic[axis];
-    return index_.map.quanta(axis, squeezed ? index_.squeezed.position(axis, x) : x);
+    return index_.map.quanta(axis, index_.is_squeezed(axis) ? index_.squeezed.position(axis, x) : x);
   }
 
   // Eqs. 4 and 5, row by row.

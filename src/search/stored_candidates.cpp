@@ -59,7 +59,7 @@ class CandidateSearch final : public PairSearch {
   bool send(size_t task, PairStream &stream) const override {
     PointArrays particles = index_.particles.arrays(false), images = index_.images.arrays(true);
     particles.slot = points_;
-    images.slot = points_ + store_.slots();
+    images.slot = points_ + index_.particle_count;
     return PairSearch::send(task, particles, images, stream);
   }
 
@@ -83,7 +83,8 @@ StoredCandidates::StoredCandidates(Memory &memory, int threads)
 bool StoredCandidates::collect(const Index &index, const SearchTasks &tasks, const ParticleStore &store,
                                const Interaction &interaction, PairPool &pool, SearchCounts &counts) {
   kept_ = moved_ = ascending_ = false;
-  particle_count_ = store.slots();
+  particle_count_ = index.particle_count;
+  slot_count_ = store.slots();
   image_count_ = index.image_count();
   const size_t count = particle_count_ + image_count_;
   if (count > static_cast<size_t>(std::numeric_limits<int32_t>::max())) return false;
@@ -147,7 +148,7 @@ void StoredCandidates::set_points(const ParticleStore &store) {
 }
 
 void StoredCandidates::find_points_of_slots() {
-  point_of_slot_.require(particle_count_);
+  point_of_slot_.require(slot_count_);
   for (size_t p = 0; p < particle_count_; p++) point_of_slot_[slot_[p]] = static_cast<uint32_t>(p);
 }
 
@@ -156,11 +157,11 @@ void StoredCandidates::ascend(PairOrder &order) {
   hg_pair *pairs = list_.data();
   const size_t count = list_.count();
   const auto first = [&](size_t k) { return slots_of(pairs[k]).a; };
-  if (!kept_ || ascending_ || is_scattered(count, particle_count_, first)) return;
+  if (!kept_ || ascending_ || is_scattered(count, slot_count_, first)) return;
   kept_ = false;
   const size_t images = copy_image_candidates();
   for (size_t k = 0; k < count; k++) pairs[k] = slots_of(pairs[k]);
-  order.ascend(pairs, count, particle_count_, 0);
+  order.ascend(pairs, count, slot_count_, 0);
   find_points_of_slots();
   slots_to_points(images);
   kept_ = ascending_ = true;

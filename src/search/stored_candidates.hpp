@@ -86,7 +86,8 @@ class StoredCandidates {
   bool kept_ = false;
   bool moved_ = false;
   bool ascending_ = false;
-  size_t particle_count_ = 0, image_count_ = 0;
+  size_t particle_count_ = 0, image_count_ = 0;  // of the index
+  size_t slot_count_ = 0;
   PairList list_;
   Buffer<Point> points_;
   Buffer<double> place_[3];         // of each particle at first, where coordinates wrap

@@ -109,6 +109,7 @@
   X(HG_MAX_LEVELS, 64)   \
   X(HG_REAL64, 0)        \
   X(HG_REAL32, 1)        \
+  X(HG_MAX_GROUPS, 64)   \
   X(HG_MAX_BATCH, 1024)
 
 #define ASSERT_SIZE(type, size) _Static_assert(sizeof(type) == (size), "size of " #type);

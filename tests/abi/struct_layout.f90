@@ -205,6 +205,7 @@ contains
         call compare('HG_MAX_LEVELS', int(HG_MAX_LEVELS, c_int64_t))
         call compare('HG_REAL64', int(HG_REAL64, c_int64_t))
         call compare('HG_REAL32', int(HG_REAL32, c_int64_t))
+        call compare('HG_MAX_GROUPS', int(HG_MAX_GROUPS, c_int64_t))
         call compare('HG_MAX_BATCH', int(HG_MAX_BATCH, c_int64_t))
     end subroutine compare_constants
 

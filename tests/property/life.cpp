@@ -45,14 +45,16 @@ double mean_radius(const Particles &particles) {
   return particles.count() == 0 ? 0 : sum / static_cast<double>(particles.count());
 }
 
-Life::Life(uint64_t seed, Scene scene, double box_changes)
+Life::Life(uint64_t seed, Scene scene, double box_changes, double company_changes)
     : rng_(seed),
       scene_(std::move(scene)),
       box_changes_(box_changes),
+      company_changes_(company_changes),
       step_(longest_step(scene_)),
       live_(scene_.particles),
       ids_(live_.count()),
       next_id_(scene_.def.index_base + static_cast<int32_t>(live_.count())),
+      company_(live_.count()),
       rule_(scene_.def.accuracy == HG_DOUBLE ? double_interact : exact_interact),
       grid_(make_grid(scene_.def, live_)) {
   std::iota(ids_.begin(), ids_.end(), scene_.def.index_base);
@@ -63,7 +65,8 @@ void Life::run(int steps) {
   compare();
   for (int step = 0; step < steps; step++) {
     if (rng_.chance(box_changes_)) change_box();
-    switch (rng_.chance(calm) ? 9 : rng_.below(10)) {
+    if (rng_.chance(company_changes_)) company_.change(rng_, grid_);
+    switch (rng_.chance(calm) ? 10 : rng_.below(11)) {
       case 0:
       case 1:
         insert();
@@ -76,6 +79,9 @@ void Life::run(int steps) {
         break;
       case 4:
         grid_.build();
+        break;
+      case 5:
+        set();
         break;
       default:
         move();
@@ -108,6 +114,28 @@ void Life::insert() {
   if (!take("insert", scene_.def, grown, call)) return;
   live_ = grown;
   while (ids_.size() < live_.count()) ids_.push_back(next_id_++);
+  company_.resize(live_.count());
+}
+
+// As many as before, or others.
+void Life::set() {
+  const Particles &pool = scene_.particles;
+  Particles next = live_;
+  if (rng_.chance(0.7)) {
+    next.centers.clear();
+    next.radii.clear();
+    const size_t count = rng_.chance(0.5) ? live_.count() : rng_.below(pool.count() + 1);
+    for (size_t i = 0; i < count && pool.count() > 0; i++) {
+      next.add(pool.center(any_of_pool()), pool.radii[any_of_pool()]);
+    }
+  }
+  const auto call = [&] { grid_.set(next.count(), next.centers.data(), next.radii.data()); };
+  if (!take("set", scene_.def, next, call)) return;
+  if (next.count() != live_.count()) company_ = company_.of(next.count());
+  live_ = next;
+  ids_.resize(live_.count());
+  std::iota(ids_.begin(), ids_.end(), scene_.def.index_base);
+  next_id_ = scene_.def.index_base + static_cast<int32_t>(live_.count());
 }
 
 // Small steps, jumps, whole cells, or new radii as well.
@@ -137,8 +165,10 @@ void Life::remove() {
   const double share = rng_.chance(0.1) ? 1 : rng_.uniform(0, 0.5);
   Particles left;
   left.dimension = live_.dimension;
+  std::vector<bool> kept;
   for (size_t i = 0; i < live_.count(); i++) {
-    if (rng_.chance(share)) {
+    kept.push_back(!rng_.chance(share));
+    if (!kept[i]) {
       gone.insert(gone.begin() + static_cast<ptrdiff_t>(rng_.below(gone.size() + 1)), ids_[i]);
     } else {
       left.add(live_.center(i), live_.radii[i]);
@@ -148,6 +178,7 @@ void Life::remove() {
   grid_.remove(gone.size(), gone.data());
   live_ = left;
   ids_ = left_ids;
+  company_.keep(kept);
 }
 
 void Life::clear() {
@@ -156,6 +187,7 @@ void Life::clear() {
   live_.radii.clear();
   ids_.clear();
   next_id_ = scene_.def.index_base;
+  company_.resize(0);
 }
 
 hg_grid_def Life::changed_box() {
@@ -196,13 +228,24 @@ void Life::change_box() {
   if (take("set_box", def, live_, [&] { set_box(grid_, def); })) scene_.def = def;
 }
 
-Pairs Life::expected_pairs() const {
+Pairs Life::meeting_pairs() const {
   if (live_.count() <= kMostPairwise || scene_.def.periodic[0] != 0) {
     return all_pairs(scene_.def, live_, ids_, rule_);
   }
   Pairs pairs = swept_pairs(scene_.def, live_, rule_);
   const auto id_of = [&](int32_t row) { return ids_[static_cast<size_t>(row - scene_.def.index_base)]; };
   for (hg_pair &pair : pairs) pair = {id_of(pair.a), id_of(pair.b)};
+  return pairs;
+}
+
+size_t Life::row_of(int32_t id) const {
+  return static_cast<size_t>(std::lower_bound(ids_.begin(), ids_.end(), id) - ids_.begin());
+}
+
+Pairs Life::expected_pairs() const {
+  Pairs pairs = meeting_pairs();
+  const auto is_none = [&](const hg_pair &pair) { return !company_.may_pair(row_of(pair.a), row_of(pair.b)); };
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), is_none), pairs.end());
   return pairs;
 }
 
@@ -251,7 +294,8 @@ void Life::compare_sphere() {
   const hgrid::View<int32_t> found = grid_.query_sphere(center, radius);
   std::vector<int32_t> expected;
   for (const int32_t id : all_in_sphere(scene_.def, live_, {center, radius}, rule_)) {
-    expected.push_back(ids_[static_cast<size_t>(id - scene_.def.index_base)]);
+    const auto row = static_cast<size_t>(id - scene_.def.index_base);
+    if (!company_.is_absent(row)) expected.push_back(ids_[row]);
   }
   require_same((scene_.name + ", sphere").c_str(), std::vector<int32_t>(found.begin(), found.end()), expected);
   compared_++;

@@ -4,6 +4,7 @@
 // its answers are compared with those of the oracle.
 #pragma once
 
+#include "tests/property/company.hpp"
 #include "tests/support/compare.hpp"
 #include "tests/support/scenes.hpp"
 
@@ -17,8 +18,9 @@ double mean_radius(const Particles &particles);
 class Life {
  public:
   // Begins with the particles of the scene. Those that come later have places and radii of them, and so fit the cells
-  // of the user and the box at first. Of the calls, the share `box_changes` gives the grid another box.
-  Life(uint64_t seed, Scene scene, double box_changes);
+  // of the user and the box at first. Of the calls, the share `box_changes` gives the grid another box, the share
+  // `company_changes` other groups or bodies.
+  Life(uint64_t seed, Scene scene, double box_changes, double company_changes);
 
   // Throws a text that says what differs.
   void run(int steps);
@@ -32,6 +34,7 @@ class Life {
 
   void insert();
   void move();
+  void set();
   void remove();
   void clear();
   void change_box();
@@ -42,7 +45,9 @@ class Life {
   template <class Call>
   bool take(const char *what, const hg_grid_def &def, const Particles &particles, Call call);
 
+  Pairs meeting_pairs() const;
   Pairs expected_pairs() const;
+  size_t row_of(int32_t id) const;
   void compare();
   void compare_visit(const Pairs &expected);
   void compare_rows(const Pairs &expected);
@@ -51,11 +56,12 @@ class Life {
 
   Rng rng_;
   Scene scene_;
-  double box_changes_;
+  double box_changes_, company_changes_;
   double step_;  // of a particle, at most
   Particles live_;
   std::vector<int32_t> ids_;
   int32_t next_id_;
+  Company company_;
   oracle::Rule *rule_;
   uint64_t compared_ = 0;
   Grid grid_;

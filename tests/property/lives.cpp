@@ -70,7 +70,8 @@ void live(uint64_t number, Sum &sum) {
     const bool large = number % 500 == 499;
     Scene scene = draw(rng, large);
     const double box_changes = rng.chance(0.5) ? 0 : rng.uniform();
-    Life life(rng.next(), std::move(scene), box_changes);
+    const double company_changes = rng.chance(0.5) ? 0 : rng.uniform();
+    Life life(rng.next(), std::move(scene), box_changes, company_changes);
     life.run(large ? 3 : 20);
     sum.compared += life.compared();
     sum.searched += life.stats().search_count;

@@ -13,7 +13,7 @@ void live(uint64_t seed, double skin) {
   Rng rng(seed);
   Scene scene = any_scene(rng, 120);
   scene.def.skin = skin;
-  Life(rng.next(), std::move(scene), 0).run(25);
+  Life(rng.next(), std::move(scene), 0, 0).run(25);
 }
 
 void any_sequence(void **) {

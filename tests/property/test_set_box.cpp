@@ -26,7 +26,7 @@ Life live(uint64_t seed, double skin_share) {
   scene.def.accuracy = rng.chance(0.3) ? HG_DOUBLE : HG_EXACT;
   scene.def.pair_order = rng.integer(HG_ORDER_GRID, HG_ORDER_ID);
   scene.def.skin = skin_share * mean_radius(scene.particles);
-  Life life(rng.next(), std::move(scene), 0.7);
+  Life life(rng.next(), std::move(scene), 0.7, 0);
   life.run(15);
   return life;
 }

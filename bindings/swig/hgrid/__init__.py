@@ -29,6 +29,7 @@ from .capi import (
     HG_LEVELS_PAPER,
     HG_LEVELS_USER,
     HG_MAX_BATCH,
+    HG_MAX_GROUPS,
     HG_MAX_LEVELS,
     HG_MAX_RANGE,
     HG_NEAREST_IMAGE,

@@ -59,15 +59,23 @@ def ids(values, name):
     return _int32(array, name, refuse)
 
 
-def pairs(values, name):
-    """`values` as a contiguous int32 array of shape (m, 2)."""
-
+def _integers(values, name, shape):
     def refuse(index, value):
         raise ArgumentError(f"{name}{index} = {value}: does not fit in 32 bits")
 
-    array = _rows(values, ("m", 2))
-    check_shape(array, name, ("m", 2))
+    array = _rows(values, shape)
+    check_shape(array, name, shape)
     return _int32(array, name, refuse)
+
+
+def numbers(values, name):
+    """`values` as a contiguous int32 array of shape (n,)."""
+    return _integers(values, name, ("n",))
+
+
+def pairs(values, name):
+    """`values` as a contiguous int32 array of shape (m, 2)."""
+    return _integers(values, name, ("m", 2))
 
 
 def copy_out(lent):

@@ -209,6 +209,28 @@ class Grid:
         """
         self._call(capi.hg_set_box, *boxes.corners_and_tilt(box, tilt, self._dimension))
 
+    def set_groups(self, groups):
+        """Says in which group each particle is, in order of id: integers of shape (n,), 0 to HG_MAX_GROUPS - 1.
+
+        -1 means absent: in no query, at no cost. None: all in group 0. Particles inserted later are in group 0; set keeps
+        groups only where it keeps the number of particles. All or nothing; ArgumentError names a group that is none.
+        """
+        self._call(capi.hg_set_groups, None if groups is None else arrays.numbers(groups, "groups"))
+
+    def set_group_pair(self, group_a, group_b, interacts):
+        """Says whether particles of two groups (or of one) are pairs at all. At first all are.
+
+        What is no pair is not looked for. The table outlives set and clear; only pairs, neighbours and contacts know it.
+        """
+        self._call(capi.hg_set_group_pair, group_a, group_b, bool(interacts))
+
+    def set_bodies(self, bodies):
+        """Says to which rigid body each particle belongs, in order of id: integers of shape (n,), -1 for none.
+
+        Two of the same body are no pair. None: none has a body. All or nothing.
+        """
+        self._call(capi.hg_set_bodies, None if bodies is None else arrays.numbers(bodies, "bodies"))
+
     def remove(self, ids):
         """Removes the particles with these ids, shape (n,). All or nothing; NotFoundError names an unknown id."""
         self._call(capi.hg_remove, arrays.ids(ids, "ids"))
