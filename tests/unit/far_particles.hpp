@@ -95,13 +95,16 @@ class FarParticles {
 
   void sort_into(hg::ChunkRows &chunks, hg::ChunkScratch &scratch) {
     hg::ChunkRows::Sizes sizes;
-    sizes.level_count = static_cast<int>(diameter.size());
+    std::vector<double> present = diameter;
+    sizes.insertion_levels = static_cast<int>(diameter.size());
     for (size_t h = 0; h < diameter.size(); h++) {
-      sizes.diameter[h] = levels[h] > 0 ? diameter[h] : diameter.back();
+      if (levels[h] == 0) present[h] = diameter.back();
       sizes.radius_limit[h] = share * diameter[h];
     }
+    sizes.diameter = present.data();
+    sizes.classes.begin[1] = count();
     slot.assign(count() + hg::kPadding, 0);
-    chunks.build(input(), sizes, dimension, count(), slot.data(), scratch, 1);
+    chunks.build(input(), sizes, dimension, slot.data(), scratch, 1);
     for (auto &column : x) column.assign(count() + hg::kPadding, 0);
     radius.assign(count() + hg::kPadding, 0);
     for (size_t i = 0; i < count(); i++) {
