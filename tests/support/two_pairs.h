@@ -16,8 +16,8 @@ static const hg_pair kStartPairs[2] = {{0, 1}, {2, 3}}, kMovedPairs[2] = {{0, 2}
 
 /* The first `count` of the moved spheres, with one bad value in this row, on axis 0 to 2 or (3) as the radius: refused
  * with its row and text, and the grid keeps what it had at the start. */
-static void refuse_value(hg_grid *grid, hg_status (*call)(hg_grid *, size_t, const double *, const double *),
-                         size_t count, int row, int axis, double value, const char *text) {
+static inline void refuse_value(hg_grid *grid, hg_status (*call)(hg_grid *, size_t, const double *, const double *),
+                                size_t count, int row, int axis, double value, const char *text) {
   double centers[12], radii[4];
   char row_text[4] = "[0]";
   memcpy(centers, kMoved, sizeof centers);
