@@ -166,6 +166,24 @@ void order_and_verdict() {
   require_error(HG_ERR_ARGUMENT, "radius_b = -1", [&] { grid.overlap(kCenters, 1, apart, -1); });
 }
 
+void groups_and_bodies() {
+  constexpr int32_t kGroups[kChain] = {0, 1, 1, -1}, kBodies[kChain] = {5, 5, -1, -1};
+  hgrid::Grid grid = chain();
+  grid.set_groups(kChain, kGroups);
+  require(grid.query_pairs().size() == 2, "pairs without the absent one");
+  grid.set_group_pair(1, 1, false);
+  require(grid.query_pairs().size() == 1, "pairs without those of group 1");
+  grid.set_bodies(kChain, kBodies);
+  require(grid.query_pairs().empty(), "a pair of one body");
+  grid.set_bodies(0, nullptr);
+  grid.set_group_pair(1, 1, true);
+  grid.set_groups(0, nullptr);
+  require(grid.query_pairs().size() == kChain - 1, "the whole chain again");
+  require_error(HG_ERR_ARGUMENT, "count is 2", [&] { grid.set_groups(2, kGroups); });
+  require_error(HG_ERR_ARGUMENT, "count is 2", [&] { grid.set_bodies(2, kBodies); });
+  require_error(HG_ERR_ARGUMENT, "group_a = 64", [&] { grid.set_group_pair(HG_MAX_GROUPS, 0, true); });
+}
+
 // Two spheres whose nearest images meet only where the upper one stands half a box to the right.
 void a_box_may_change() {
   constexpr double kLow[3] = {0, 0, 0}, kHigh[3] = {4, 4, 4}, kTilt[3] = {2, 0, 0};
@@ -226,6 +244,7 @@ int main() {
                               cmocka_unit_test(run<vectors_stand_beside_pairs>),
                               cmocka_unit_test(run<pairs_are_copied>),
                               cmocka_unit_test(run<order_and_verdict>),
+                              cmocka_unit_test(run<groups_and_bodies>),
                               cmocka_unit_test(run<failures_tell_status_and_text>)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
