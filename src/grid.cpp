@@ -385,6 +385,20 @@ void Grid::query_neighbors(int32_t list, const int64_t **offsets, const int32_t 
   *neighbors = rows_[list].neighbors();
 }
 
+void Grid::copy_neighbors(int32_t list, size_t capacity, int32_t *offsets, int32_t *neighbors, size_t *count) {
+  const std::lock_guard lock(mutex_);
+  make_rows_locked(list);
+  NeighborRows &rows = rows_[list];
+  const int64_t *row_ends = rows.offsets();
+  *count = static_cast<size_t>(row_ends[store_.slots()]);
+  if (*count > INT32_MAX) fail(HG_ERR_LIMIT, "%zu neighbours are more than offsets of 32 bits can count", *count);
+  std::copy(row_ends, row_ends + store_.slots() + 1, offsets);
+  if (*count > capacity) fail(HG_ERR_CAPACITY, "%zu neighbours, but capacity is %zu", *count, capacity);
+  if (*count == 0) return;
+  if (neighbors == nullptr) fail(HG_ERR_NULL, "neighbors is NULL");
+  std::copy(rows.neighbors(), rows.neighbors() + *count, neighbors);
+}
+
 void Grid::query_levels(const hg_level **levels, size_t *count) {
   build();
   *levels = levels_;

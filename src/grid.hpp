@@ -59,6 +59,7 @@ class Grid {
   void query_order(const int32_t **ids, size_t *count);
   bool overlaps(const Ball &a, const Ball &b) const { return hg::overlaps(definition_.domain, overlap_, a, b); }
   void query_neighbors(int32_t list, const int64_t **offsets, const int32_t **neighbors);
+  void copy_neighbors(int32_t list, size_t capacity, int32_t *offsets, int32_t *neighbors, size_t *count);
   void query_levels(const hg_level **levels, size_t *count);
   void query_level_costs(const hg_level_cost **costs, size_t *count);
   hg_grid_stats stats();

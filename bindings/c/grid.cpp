@@ -33,6 +33,11 @@ void check_group(int32_t group, const char *name) {
   fail(HG_ERR_ARGUMENT, "%s = %d is not one of 0 .. %d", name, static_cast<int>(group), HG_MAX_GROUPS - 1);
 }
 
+void check_list(int32_t list) {
+  if (list == HG_HALF || list == HG_FULL) return;
+  fail(HG_ERR_ARGUMENT, "list = %d is neither HG_HALF nor HG_FULL", static_cast<int>(list));
+}
+
 }  // namespace
 }  // namespace hg
 
@@ -180,10 +185,16 @@ hg_status hg_overlap(hg_grid *grid, const double *center_a, double radius_a, con
 
 hg_status hg_query_neighbors(hg_grid *grid, int32_t list, const int64_t **offsets, const int32_t **neighbors) {
   return on_grid(grid, {{offsets, "offsets"}, {neighbors, "neighbors"}}, [&](Grid &g) {
-    if (list != HG_HALF && list != HG_FULL) {
-      fail(HG_ERR_ARGUMENT, "list = %d is neither HG_HALF nor HG_FULL", static_cast<int>(list));
-    }
+    hg::check_list(list);
     g.query_neighbors(list, offsets, neighbors);
+  });
+}
+
+hg_status hg_copy_neighbors(hg_grid *grid, int32_t list, size_t capacity, int32_t *offsets, int32_t *neighbors,
+                            size_t *count) {
+  return on_grid(grid, {{offsets, "offsets"}, {count, "count"}}, [&](Grid &g) {
+    hg::check_list(list);
+    g.copy_neighbors(list, capacity, offsets, neighbors, count);
   });
 }
 

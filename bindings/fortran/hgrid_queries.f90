@@ -9,15 +9,15 @@ module hgrid_queries
     use hgrid_handle, only: c_hg_get_stats, conclude, dimension_of, handle_of
     use hgrid_sets, only: hg_sets
     use hgrid_types, only: hg_grid_stats, hg_level, hg_level_cost, HG_ERR_ARGUMENT, &
-        HG_ERR_CAPACITY, HG_ERR_LIMIT, HG_OK
+        HG_ERR_CAPACITY, HG_ERR_LIMIT, HG_HALF, HG_OK
     use hgrid_visit, only: hg_contact_visitor, hg_pair_procedure, hg_pair_visitor, &
         visit_contacts_with_object, visit_with_object, visit_with_procedure
     implicit none
     private
 
-    public :: c_hg_copy_pairs, c_hg_overlap, c_hg_query_level_costs, c_hg_query_levels
-    public :: c_hg_query_neighbors, c_hg_query_order, c_hg_query_pair_vectors, c_hg_query_pairs
-    public :: c_hg_query_sphere
+    public :: c_hg_copy_neighbors, c_hg_copy_pairs, c_hg_overlap, c_hg_query_level_costs
+    public :: c_hg_query_levels, c_hg_query_neighbors, c_hg_query_order, c_hg_query_pair_vectors
+    public :: c_hg_query_pairs, c_hg_query_sphere
     public :: hg_grid
 
     !> A grid: particles, and the search for pairs among them. It frees itself when it goes out of
@@ -28,6 +28,7 @@ module hgrid_queries
         procedure :: query_sphere_real64, query_sphere_real32
         procedure :: visit_pairs_object, visit_pairs_procedure
         procedure :: query_pair_list, query_vectors, query_shifts, copy_pairs
+        procedure :: query_rows, copy_neighbors, copy_half_neighbors
         procedure :: overlap_real64, overlap_real32
         !> query_pairs(pairs), query_pairs(pairs, vectors=d, shifts=s): memory of the grid;
         !> query_pairs(i, j, count): into arrays of the caller's
@@ -36,7 +37,10 @@ module hgrid_queries
         !> hg_pair_visitor
         generic, public :: visit_pairs => visit_pairs_procedure, visit_pairs_object
         procedure, public :: visit_contacts
-        procedure, public :: query_neighbors
+        !> query_neighbors(list, offsets, neighbors): memory of the grid;
+        !> query_neighbors(list, point, neighbors, count), of HG_HALF without the first argument:
+        !> into arrays of the caller's
+        generic, public :: query_neighbors => query_rows, copy_neighbors, copy_half_neighbors
         !> query_sphere(center, radius, ids): the particles that a sphere overlaps
         generic, public :: query_sphere => query_sphere_real64, query_sphere_real32
         !> overlap(xa, ra, xb, rb, yes): whether two spheres interact, by the rule of the grid
@@ -114,6 +118,22 @@ module hgrid_queries
             type(c_ptr), intent(out) :: neighbors
             integer(c_int32_t) :: status
         end function c_hg_query_neighbors
+
+        function c_hg_copy_neighbors(grid, list, capacity, offsets, neighbors, count) &
+            bind(c, name='hg_copy_neighbors') result(status)
+            import
+            type(c_ptr), value :: grid
+            !> HG_HALF or HG_FULL
+            integer(c_int32_t), value :: list
+            integer(c_size_t), value :: capacity
+            !> (N + 1), from 0
+            integer(c_int32_t), intent(inout) :: offsets(*)
+            !> (capacity), left alone if that is too small
+            integer(c_int32_t), intent(inout) :: neighbors(*)
+            !> What is needed
+            integer(c_size_t), intent(inout) :: count
+            integer(c_int32_t) :: status
+        end function c_hg_copy_neighbors
 
         function c_hg_query_sphere(grid, center, radius, ids, count) &
             bind(c, name='hg_query_sphere') result(status)
@@ -299,7 +319,7 @@ contains
 
     !> Neighbour lists in compressed rows: those of the k-th live particle in ascending id are
     !> neighbors(offsets(k) + 1:offsets(k + 1)), ascending.
-    subroutine query_neighbors(self, list, offsets, neighbors, err)
+    subroutine query_rows(self, list, offsets, neighbors, err)
         class(hg_grid), intent(in) :: self
         !> HG_HALF: only greater ids; HG_FULL: all
         integer(c_int32_t), intent(in) :: list
@@ -324,7 +344,58 @@ contains
             if (count > 0) call c_f_pointer(id_memory, neighbors, [count])
         end if
         call conclude(self, status, 'query_neighbors', err)
-    end subroutine query_neighbors
+    end subroutine query_rows
+
+    !> The same into arrays of the caller's, counted from 1 as in old codes: the neighbours of the
+    !> k-th live particle are neighbors(point(k):point(k + 1) - 1). If neighbors is too small:
+    !> HG_ERR_CAPACITY, count tells what is needed, point is complete, and neighbors is left alone.
+    subroutine copy_neighbors(self, list, point, neighbors, count, err)
+        class(hg_grid), intent(in) :: self
+        !> HG_HALF: only greater ids; HG_FULL: all
+        integer(c_int32_t), intent(in) :: list
+        !> At least (n + 1) for n particles
+        integer, intent(inout), contiguous :: point(:)
+        !> Ids
+        integer, intent(inout), contiguous :: neighbors(:)
+        !> Number of neighbours
+        integer, intent(out) :: count
+        type(hg_error), intent(out), optional :: err
+
+        type(hg_grid_stats) :: stats
+        integer(c_size_t) :: found
+        integer(c_int32_t) :: status
+
+        count = 0
+        found = 0
+        status = c_hg_get_stats(handle_of(self), stats, c_sizeof(stats))
+        if (size(point) <= stats%particle_count) then
+            call raise(HG_ERR_ARGUMENT, 'query_neighbors: point'//shape_text(shape(point))// &
+                ' needs one place more than the grid has particles', err)
+            return
+        end if
+        if (status == HG_OK) then
+            status = c_hg_copy_neighbors(handle_of(self), list, size(neighbors, kind=c_size_t), &
+                point, neighbors, found)
+        end if
+        if (status == HG_OK .or. status == HG_ERR_CAPACITY) then
+            count = int(found)
+            point(:stats%particle_count + 1) = point(:stats%particle_count + 1) + 1
+        end if
+        call conclude(self, status, 'query_neighbors', err)
+    end subroutine copy_neighbors
+
+    subroutine copy_half_neighbors(self, point, neighbors, count, err)
+        class(hg_grid), intent(in) :: self
+        !> At least (n + 1) for n particles
+        integer, intent(inout), contiguous :: point(:)
+        !> Ids
+        integer, intent(inout), contiguous :: neighbors(:)
+        !> Number of neighbours
+        integer, intent(out) :: count
+        type(hg_error), intent(out), optional :: err
+
+        call self%query_neighbors(HG_HALF, point, neighbors, count, err)
+    end subroutine copy_half_neighbors
 
     !> The particles that a sphere overlaps, by the grid's own rule; ids ascending, borrowed
     !> until this thread's next query_sphere.

@@ -87,6 +87,7 @@ static hg_status hg_make(const hg_grid_def *def, size_t count, const double *cel
 %ignore hg_insert_arrays;
 %ignore hg_move_arrays;
 %ignore hg_copy_pairs;
+%ignore hg_copy_neighbors;
 
 %apply int *OUTPUT { int32_t *overlaps };
 

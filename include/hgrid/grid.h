@@ -136,6 +136,13 @@ HG_API hg_status hg_visit_pairs(hg_grid *grid, hg_pair_visitor *visit, void *con
  * (list). Complexity: as hg_query_pairs. */
 HG_API hg_status hg_query_neighbors(hg_grid *grid, int32_t list, const int64_t **offsets, const int32_t **neighbors);
 
+/* The lists of hg_query_neighbors into arrays of the caller's, offsets[N + 1] and neighbors[capacity]. *count becomes
+ * the number of neighbours. If they are more than capacity: HG_ERR_CAPACITY, offsets is complete all the same, and
+ * neighbors is not touched; it may be NULL if capacity is 0. Errors besides: HG_ERR_LIMIT: more than 2^31 - 1
+ * neighbours, nothing is written but *count. */
+HG_API hg_status hg_copy_neighbors(hg_grid *grid, int32_t list, size_t capacity, int32_t *offsets, int32_t *neighbors,
+                                   size_t *count);
+
 /* The particles that a sphere interacts with, by the grid's own rule (interaction, margin, accuracy, periodic axes);
  * ids ascending, each once. center: [dimension]; radius >= 0, finite. Any periodic image counts. The result is
  * borrowed until this thread's next hg_query_sphere on any grid.

@@ -183,11 +183,14 @@ class Grid {
   }
   // Returns the number of pairs. *count, if given, becomes it also where HG_ERR_CAPACITY is thrown.
   size_t copy_pairs(size_t capacity, int32_t *a, int32_t *b, size_t *count = nullptr) const {
-    size_t pairs = 0;
-    const hg_status status = hg_copy_pairs(get(), capacity, a, b, &pairs);
-    if (count != nullptr && (status == HG_OK || status == HG_ERR_CAPACITY)) *count = pairs;
-    check(status);
-    return pairs;
+    size_t found = 0;
+    return copied(hg_copy_pairs(get(), capacity, a, b, &found), found, count);
+  }
+  // The same of neighbour lists: offsets[particles + 1], complete also where HG_ERR_CAPACITY is thrown.
+  size_t copy_neighbors(int32_t list, size_t capacity, int32_t *offsets, int32_t *neighbors,
+                        size_t *count = nullptr) const {
+    size_t found = 0;
+    return copied(hg_copy_neighbors(get(), list, capacity, offsets, neighbors, &found), found, count);
   }
   // `visit` is any callable that takes a batch, as View<hg_pair> or as (const hg_pair *pairs, size_t count). It returns
   // nothing, or what is true to end the visit; what it throws also ends it, and is thrown from here.
@@ -231,6 +234,13 @@ class Grid {
   }
 
  private:
+  // Ends a copy into arrays of the caller's, who may want to know what is needed where they are too small.
+  static size_t copied(hg_status status, size_t found, size_t *count) {
+    if (count != nullptr && (status == HG_OK || status == HG_ERR_CAPACITY)) *count = found;
+    check(status);
+    return found;
+  }
+
   explicit Grid(const hg_grid_def *def) : dimension_(def != nullptr ? static_cast<size_t>(def->dimension) : 3) {
     hg_grid *created = nullptr;
     check(hg_create(def, &created));

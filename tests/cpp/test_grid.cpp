@@ -156,6 +156,16 @@ void pairs_are_copied() {
   require_error(HG_ERR_NULL, "a is NULL", [&] { grid.copy_pairs(kChain, nullptr, b, &need); });
 }
 
+void neighbors_are_copied() {
+  hgrid::Grid grid = chain();
+  int32_t offsets[kChain + 1] = {}, ids[kChain] = {};
+  require(grid.copy_neighbors(HG_HALF, kChain, offsets, ids) == kChain - 1, "the number of neighbours");
+  for (size_t k = 0; k + 1 < kChain; k++) require(ids[offsets[k]] == static_cast<int32_t>(k + 1), "a row of the chain");
+  size_t need = 0;
+  require_error(HG_ERR_CAPACITY, "capacity is 1", [&] { grid.copy_neighbors(HG_FULL, 1, offsets, ids, &need); });
+  require(need == 2 * (kChain - 1) && offsets[kChain] == static_cast<int32_t>(need), "what is needed");
+}
+
 void order_and_verdict() {
   hgrid::Grid grid = chain();
   std::vector<int32_t> ids(grid.query_order().begin(), grid.query_order().end());
@@ -243,6 +253,7 @@ int main() {
                               cmocka_unit_test(run<arrays_of_any_stride>),
                               cmocka_unit_test(run<vectors_stand_beside_pairs>),
                               cmocka_unit_test(run<pairs_are_copied>),
+                              cmocka_unit_test(run<neighbors_are_copied>),
                               cmocka_unit_test(run<order_and_verdict>),
                               cmocka_unit_test(run<groups_and_bodies>),
                               cmocka_unit_test(run<failures_tell_status_and_text>)};

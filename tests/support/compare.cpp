@@ -73,6 +73,11 @@ Pairs pairs_of_rows(const Grid &grid, int32_t list) {
     require(std::is_sorted(ids.begin(), ids.end()), "a row does not ascend");
     for (const int32_t neighbor : ids) pairs.push_back({static_cast<int32_t>(row), neighbor});
   }
+  std::vector<int32_t> offsets(count + 1), ids(pairs.size());
+  require(grid.copy_neighbors(list, ids.size(), offsets.data(), ids.data()) == ids.size() &&
+              std::equal(offsets.begin(), offsets.end(), rows.offsets.begin(), rows.offsets.end()) &&
+              std::equal(ids.begin(), ids.end(), rows.ids.begin(), rows.ids.end()),
+          "copied rows differ from those lent");
   return pairs;
 }
 
