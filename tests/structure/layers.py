@@ -27,6 +27,7 @@ LAYERS = [
     ["src/history"],
     ["src"],
     ["bindings/c"],
+    ["bindings/f77"],
     ["particles"],
     ["particles/text"],
     ["particles/files"],
