@@ -295,6 +295,11 @@ class Session {
     const int32_t list = bytes_.below(2);
     const hgrid::Rows rows = grid_.query_neighbors(list);
     expect(rows.size() == model_.size(), "the number of rows is wrong");
+    std::vector<int32_t> starts(rows.offsets.size()), copied(rows.ids.size());
+    grid_.copy_neighbors(list, copied.size(), starts.data(), copied.data());
+    expect(std::equal(starts.begin(), starts.end(), rows.offsets.begin(), rows.offsets.end()) &&
+               std::equal(copied.begin(), copied.end(), rows.ids.begin(), rows.ids.end()),
+           "copied rows differ from those lent");
     Pairs half;
     size_t back = 0;
     for (size_t row = 0; row < rows.size(); row++) {

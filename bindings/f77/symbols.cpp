@@ -4,6 +4,8 @@
 // nvfortran write them, and without one (-fno-underscoring, xlf). No name holds an underscore, so none gets a second.
 #include "bindings/f77/calls.hpp"
 
+#include <hgrid/base.h>
+
 #define HG_F77_EXPORT extern "C" __attribute__((visibility("default")))
 #define HG_F77_CALL(name, parameters, call)       \
   HG_F77_EXPORT void name##_ parameters { call; } \
@@ -40,3 +42,5 @@ HG_F77_CALL(hgslst,
 HG_F77_CALL(hgfmsg, (char *text, int32_t length), message(text, length))
 
 HG_F77_CALL(hgfend, (int32_t * ih, int32_t *ierr), end(ih, ierr))
+
+HG_F77_CALL(hgfver, (int32_t * major, int32_t *minor, int32_t *patch), hg_version(major, minor, patch))

@@ -74,6 +74,8 @@ contains
         call grid%query_neighbors(HG_FULL, offsets, ids, err)
         call check_fails(err, HG_ERR_NULL, text, 'query_neighbors')
         call check(.not. (associated(offsets) .or. associated(ids)), 'lists of a failed query')
+        call grid%query_neighbors(point, list, count, err)
+        call check_fails(err, HG_ERR_NULL, text, 'query_neighbors into arrays')
         call grid%query_sphere(x(:, 1), r(1), ids, err)
         call check_fails(err, HG_ERR_NULL, text, 'query_sphere')
         call grid%query_levels(levels, err)

@@ -4,9 +4,10 @@
 !> Neighbour lists: half and full, in two and three dimensions, with gaps in the ids.
 program test_neighbors
     use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t
-    use hgrid, only: HG_FULL, HG_HALF, hg_default_grid_def, hg_grid, hg_grid_def
+    use hgrid, only: HG_ERR_ARGUMENT, HG_ERR_CAPACITY, HG_FULL, HG_HALF, hg_default_grid_def, &
+        hg_error, hg_grid, hg_grid_def
     use brute_force, only: contact_matrix, length_of, rule, scene, scene_name
-    use checks, only: check, finish_checks
+    use checks, only: check, check_fails, check_works, finish_checks
     implicit none
 
     integer, parameter :: n = 300
@@ -81,7 +82,51 @@ contains
                 call check(same, 'a row of the list; '//what)
             end associate
         end do
+        call expect_copies(grid, list, offsets, neighbors, what)
     end subroutine expect_rows
+
+    !> The same lists in arrays of the caller's: of just enough room, of too little, and of more.
+    subroutine expect_copies(grid, list, offsets, neighbors, what)
+        !> The grid
+        type(hg_grid), intent(in) :: grid
+        !> HG_HALF or HG_FULL
+        integer(c_int32_t), intent(in) :: list
+        !> Of the lists that are lent
+        integer(c_int64_t), intent(in) :: offsets(:)
+        integer(c_int32_t), intent(in) :: neighbors(:)
+        !> For messages
+        character(len=*), intent(in) :: what
+
+        integer, parameter :: untouched = -77
+        type(hg_error) :: err
+        integer, allocatable :: point(:), ids(:)
+        integer :: found, room
+
+        do room = size(neighbors) - 1, size(neighbors) + 1
+            if (room < 0) cycle
+            allocate (point(size(offsets) + 1), ids(room), source=untouched)
+            call grid%query_neighbors(list, point, ids, found, err)
+            call check(found == size(neighbors), 'number of copied neighbours; '//what)
+            call check(all(point(:size(offsets)) == offsets + 1), 'point; '//what)
+            call check(point(size(point)) == untouched, 'what lies behind point; '//what)
+            if (room < size(neighbors)) then
+                call check(err%code == HG_ERR_CAPACITY, 'too little room; '//what)
+                call check(all(ids == untouched), 'ids are left alone; '//what)
+            else
+                call check_works(err, 'query_neighbors; '//what)
+                call check(all(ids(:found) == neighbors), 'copied neighbours; '//what)
+                if (list == HG_HALF) then
+                    ids = untouched
+                    call grid%query_neighbors(point, ids, found)
+                    call check(all(ids(:found) == neighbors), 'half unless told; '//what)
+                end if
+            end if
+            deallocate (point, ids)
+        end do
+        allocate (point(size(offsets) - 1), ids(0))
+        call grid%query_neighbors(list, point, ids, found, err)
+        call check_fails(err, HG_ERR_ARGUMENT, 'point(', 'point is too short; '//what)
+    end subroutine expect_copies
 
     subroutine test_empty_grid()
         type(hg_grid) :: grid

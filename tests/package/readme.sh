@@ -13,7 +13,7 @@ rm -rf "$work"
 mkdir -p "$work"
 # Writes block_1.LANGUAGE, block_2.LANGUAGE ... and the text that follows block k as block_k.expected.
 awk -v language="$language" -v work="$work" '
-  !inside && /^```[a-z]+$/ {
+  !inside && /^```[a-z0-9]+$/ {
     inside = 1
     kind = substr($0, 4)
     file = ""
@@ -36,6 +36,7 @@ build_block() {
   case $language in
   c) "$compiler" -std=c99 -Wall -Wextra -Werror -x c "$1" $(pkg-config --cflags --libs hgrid) -o "$2" ;;
   cpp) "$compiler" -std=c++17 -Wall -Wextra -Werror -x c++ "$1" -x none $(pkg-config --cflags --libs hgrid) -o "$2" ;;
+  fortran77) "$compiler" -std=legacy -x f77 "$1" -x none $(pkg-config --libs hgrid-f77) -o "$2" ;;
   fortran) "$compiler" -x f95 -ffree-form "$1" -x none $(pkg-config --cflags --libs hgrid-fortran) -o "$2" ;;
   python) printf '#!/bin/sh\nexec "%s" "%s"\n' "$compiler" "$1" >"$2" && chmod +x "$2" ;;
   *) echo "no way to run a block of language '$language'" && exit 1 ;;
