@@ -63,22 +63,18 @@ contains
             call settle(status, caller, err)
         else
             call raise(HG_ERR_NULL, &
-                caller//': the '//what//' was not created, call create first', err)
+                caller//': the '//what//' was not created, call create first (one that is '// &
+                'local to a procedure ends with it, unless it is declared with save)', err)
         end if
     end subroutine settle_on
 
-    !> Two copies would free the same memory twice; only objects that were never created may be
-    !> assigned.
-    subroutine refuse_copies(what, left, right)
+    !> Two copies would own the same memory.
+    subroutine refuse_copies(what)
         !> The objects: grid or history
         character(len=*), intent(in) :: what
-        !> The C objects of both sides of an assignment
-        type(c_ptr), intent(in) :: left, right
 
-        if (c_associated(left) .or. c_associated(right)) then
-            call raise(HG_ERR_STATE, &
-                'an hg_'//what//' cannot be copied: pass it as an argument instead')
-        end if
+        call raise(HG_ERR_STATE, &
+            'an hg_'//what//' cannot be copied: pass it as an argument instead')
     end subroutine refuse_copies
 
     !> Reports a failure.

@@ -3,9 +3,10 @@
 
 !> The C grid that a Fortran grid stands for: its making, its end, and how calls on it end.
 module hgrid_handle
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_loc, c_null_ptr, &
-        c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_loc, c_ptr, &
+        c_size_t, c_sizeof
     use hgrid_error, only: hg_error, raise, refuse_copies, settle, settle_on
+    use hgrid_owner, only: disown, hg_owner, own, owned
     use hgrid_types, only: c_hg_grid_def_init, hg_grid_def, hg_grid_stats, HG_ERR_ARGUMENT, &
         HG_LEVELS_USER, HG_OK
     implicit none
@@ -17,8 +18,9 @@ module hgrid_handle
     !> Owns the C grid and frees it when it goes out of scope.
     type :: hg_handle
         private
-        type(c_ptr) :: c = c_null_ptr
+        ! First, so that its place is that of the whole.
         integer :: dimension = 0
+        type(hg_owner), allocatable :: owner
     contains
         private
         procedure :: create_default, create_def, create_sizes
@@ -27,7 +29,6 @@ module hgrid_handle
         generic, public :: create => create_default, create_def, create_sizes
         procedure, public :: destroy
         generic, public :: assignment(=) => refuse_copy
-        final :: finish
     end type hg_handle
 
     interface
@@ -87,9 +88,9 @@ contains
 
         status = c_hg_create(def, created)
         if (status == HG_OK) then
-            status = release(self%c)
+            status = release(self)
             if (status == HG_OK) then
-                self%c = created
+                call own(self%owner, created, c_hg_destroy)
                 self%dimension = def%dimension
             else
                 call c_hg_destroy(created)
@@ -125,48 +126,42 @@ contains
         class(hg_handle), intent(inout) :: self
         type(hg_error), intent(out), optional :: err
 
-        integer(c_int32_t) :: status
-
-        status = release(self%c)
-        if (status == HG_OK) self%c = c_null_ptr
-        call settle(status, 'destroy', err)
+        call settle(release(self), 'destroy', err)
     end subroutine destroy
 
-    !> Destroys a C grid unless one of its visitors is at work. hg_destroy cannot tell, reading the
-    !> counters can.
-    function release(handle) result(status)
-        !> The C grid; null is fine
-        type(c_ptr), intent(in) :: handle
+    !> Destroys the C grid unless one of its visitors is at work. hg_destroy cannot tell, reading
+    !> the counters can.
+    function release(self) result(status)
+        class(hg_handle), intent(inout) :: self
         integer(c_int32_t) :: status
 
         type(hg_grid_stats) :: stats
 
         status = HG_OK
-        if (.not. c_associated(handle)) return
-        status = c_hg_get_stats(handle, stats, c_sizeof(stats))
-        if (status == HG_OK) call c_hg_destroy(handle)
+        if (c_associated(handle_of(self))) then
+            status = c_hg_get_stats(handle_of(self), stats, c_sizeof(stats))
+        end if
+        if (status == HG_OK) call disown(self%owner)
     end function release
 
-    impure elemental subroutine finish(self)
-        type(hg_handle), intent(inout) :: self
-
-        call c_hg_destroy(self%c)
-        self%c = c_null_ptr
-    end subroutine finish
-
+    !> Only objects that were never created may be assigned. A left side that is allocatable and not
+    !> allocated stands nowhere, and must not be looked into.
     impure elemental subroutine refuse_copy(left, self)
-        class(hg_handle), intent(inout) :: left
+        class(hg_handle), intent(inout), target :: left
         class(hg_handle), intent(in) :: self
 
-        call refuse_copies('grid', left%c, self%c)
+        if (c_associated(c_loc(left%dimension))) then
+            if (.not. (c_associated(handle_of(left)) .or. c_associated(handle_of(self)))) return
+        end if
+        call refuse_copies('grid')
     end subroutine refuse_copy
 
-    !> The C grid; null before create.
+    !> The C grid; null before create, and in a copy of the object, to which it does not belong.
     pure function handle_of(self) result(handle)
         class(hg_handle), intent(in) :: self
         type(c_ptr) :: handle
 
-        handle = self%c
+        handle = owned(self%owner)
     end function handle_of
 
     !> 2 or 3; 0 before create.
@@ -186,7 +181,7 @@ contains
         character(len=*), intent(in) :: caller
         type(hg_error), intent(out), optional :: err
 
-        call settle_on('grid', self%c, status, caller, err)
+        call settle_on('grid', handle_of(self), status, caller, err)
     end subroutine conclude
 
 end module hgrid_handle

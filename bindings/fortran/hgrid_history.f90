@@ -4,9 +4,10 @@
 !> Contact history: data of contacts that follow them from one list of pairs to the next.
 module hgrid_history
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_float, &
-        c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
+        c_int32_t, c_int64_t, c_loc, c_ptr, c_size_t, c_sizeof
     use hgrid_error, only: hg_error, number_text, raise, refuse_copies, settle, settle_on, &
         shape_text
+    use hgrid_owner, only: disown, hg_owner, own, owned
     use hgrid_types, only: HG_ERR_ARGUMENT, HG_OK
     implicit none
     private
@@ -19,8 +20,10 @@ module hgrid_history
     !> it goes out of scope.
     type :: hg_history
         private
-        type(c_ptr) :: handle = c_null_ptr
-        integer(c_size_t) :: former_count = 0, count = 0
+        ! First, so that its place is that of the whole.
+        integer(c_size_t) :: former_count = 0
+        integer(c_size_t) :: count = 0
+        type(hg_owner), allocatable :: owner
     contains
         private
         procedure :: carry_real64, carry_real64_rows, carry_real32, carry_real32_rows
@@ -37,7 +40,6 @@ module hgrid_history
         procedure, public :: restore
         procedure, public :: clear
         generic, public :: assignment(=) => refuse_copy
-        final :: finish
     end type hg_history
 
     interface
@@ -122,7 +124,7 @@ contains
         status = c_hg_history_create(created)
         if (status == HG_OK) then
             call self%destroy()
-            self%handle = created
+            call own(self%owner, created, c_hg_history_destroy)
         end if
         call settle(status, 'create', err)
     end subroutine create
@@ -131,17 +133,10 @@ contains
     subroutine destroy(self)
         class(hg_history), intent(inout) :: self
 
-        call c_hg_history_destroy(self%handle)
-        self%handle = c_null_ptr
+        call disown(self%owner)
         self%former_count = 0
         self%count = 0
     end subroutine destroy
-
-    impure elemental subroutine finish(self)
-        type(hg_history), intent(inout) :: self
-
-        call self%destroy()
-    end subroutine finish
 
     !> Matches a list of pairs to the one before, and remembers it instead.
     subroutine update(self, pairs, previous, err)
@@ -159,7 +154,7 @@ contains
 
         if (misfit(self, pairs, 'update', err)) return
         count = size(pairs, 2, c_size_t)
-        status = c_hg_history_update(self%handle, count, c_loc(pairs), memory)
+        status = c_hg_history_update(owned(self%owner), count, c_loc(pairs), memory)
         if (status == HG_OK) then
             if (allocated(previous)) then
                 if (size(previous, kind=c_size_t) /= count) deallocate (previous)
@@ -187,7 +182,7 @@ contains
         integer(c_int32_t) :: status
 
         nullify (pairs)
-        status = c_hg_history_pairs(self%handle, memory, count)
+        status = c_hg_history_pairs(owned(self%owner), memory, count)
         if (status == HG_OK) then
             pairs => no_pairs
             if (count > 0) call c_f_pointer(memory, pairs, [2_c_size_t, count])
@@ -205,7 +200,7 @@ contains
         integer(c_int32_t) :: status
 
         if (misfit(self, pairs, 'restore', err)) return
-        status = c_hg_history_restore(self%handle, size(pairs, 2, c_size_t), c_loc(pairs))
+        status = c_hg_history_restore(owned(self%owner), size(pairs, 2, c_size_t), c_loc(pairs))
         if (status == HG_OK) self%count = size(pairs, 2, c_size_t)
         call conclude(self, status, 'restore', err)
     end subroutine restore
@@ -217,7 +212,7 @@ contains
 
         integer(c_int32_t) :: status
 
-        status = c_hg_history_clear(self%handle)
+        status = c_hg_history_clear(owned(self%owner))
         if (status == HG_OK) self%count = 0
         call conclude(self, status, 'clear', err)
     end subroutine clear
@@ -304,7 +299,7 @@ contains
         rank = size(old_shape)
         item_size = number_size
         if (rank == 2) item_size = number_size*old_shape(1)
-        if (c_associated(self%handle)) then
+        if (c_associated(owned(self%owner))) then
             shapes = 'carry: old'//shape_text(int(old_shape))//' and new'// &
                 shape_text(int(new_shape))
             if (any(old_shape(:rank - 1) /= new_shape(:rank - 1))) then
@@ -318,14 +313,20 @@ contains
                 return
             end if
         end if
-        call conclude(self, c_hg_history_carry(self%handle, item_size, old, new), 'carry', err)
+        call conclude(self, c_hg_history_carry(owned(self%owner), item_size, old, new), 'carry', &
+            err)
     end subroutine carry_memory
 
+    !> Only objects that were never created may be assigned. A left side that is allocatable and not
+    !> allocated stands nowhere, and must not be looked into.
     impure elemental subroutine refuse_copy(left, self)
-        class(hg_history), intent(inout) :: left
+        class(hg_history), intent(inout), target :: left
         class(hg_history), intent(in) :: self
 
-        call refuse_copies('history', left%handle, self%handle)
+        if (c_associated(c_loc(left%former_count))) then
+            if (.not. (c_associated(owned(left%owner)) .or. c_associated(owned(self%owner)))) return
+        end if
+        call refuse_copies('history')
     end subroutine refuse_copy
 
     !> Ends a call on the C history.
@@ -337,7 +338,7 @@ contains
         character(len=*), intent(in) :: caller
         type(hg_error), intent(out), optional :: err
 
-        call settle_on('history', self%handle, status, caller, err)
+        call settle_on('history', owned(self%owner), status, caller, err)
     end subroutine conclude
 
     !> Whether pairs has another shape than (2, count); then the failure has been reported.
@@ -350,7 +351,7 @@ contains
         type(hg_error), intent(out), optional :: err
         logical :: wrong
 
-        wrong = c_associated(self%handle) .and. size(pairs, 1) /= 2
+        wrong = c_associated(owned(self%owner)) .and. size(pairs, 1) /= 2
         if (wrong) then
             call raise(HG_ERR_ARGUMENT, caller//': pairs'//shape_text(shape(pairs))// &
                 ' has other than 2 rows', err)

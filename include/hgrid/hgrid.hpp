@@ -184,13 +184,15 @@ class Grid {
   // Returns the number of pairs. *count, if given, becomes it also where HG_ERR_CAPACITY is thrown.
   size_t copy_pairs(size_t capacity, int32_t *a, int32_t *b, size_t *count = nullptr) const {
     size_t found = 0;
-    return copied(hg_copy_pairs(get(), capacity, a, b, &found), found, count);
+    const hg_status status = hg_copy_pairs(get(), capacity, a, b, &found);
+    return copied(status, found, count);
   }
   // The same of neighbour lists: offsets[particles + 1], complete also where HG_ERR_CAPACITY is thrown.
   size_t copy_neighbors(int32_t list, size_t capacity, int32_t *offsets, int32_t *neighbors,
                         size_t *count = nullptr) const {
     size_t found = 0;
-    return copied(hg_copy_neighbors(get(), list, capacity, offsets, neighbors, &found), found, count);
+    const hg_status status = hg_copy_neighbors(get(), list, capacity, offsets, neighbors, &found);
+    return copied(status, found, count);
   }
   // `visit` is any callable that takes a batch, as View<hg_pair> or as (const hg_pair *pairs, size_t count). It returns
   // nothing, or what is true to end the visit; what it throws also ends it, and is thrown from here.

@@ -52,6 +52,7 @@ contains
         type(hg_level_cost), pointer :: costs(:)
         integer(c_int32_t), pointer :: pairs(:, :), ids(:)
         integer(c_int64_t), pointer :: offsets(:)
+        integer :: point(3), list(1), count
         character(len=*), parameter :: text = 'not created'
 
         call grid%insert(x, r, err)
