@@ -6,7 +6,6 @@
 #include "bindings/f77/texts.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <new>
 #include <string>
 #include <type_traits>
@@ -159,8 +158,8 @@ void message(char *text, int32_t length) noexcept {
   if (length <= 0) return;
   const std::string &last = last_text();
   const size_t room = static_cast<size_t>(length), used = std::min(room, last.size());
-  std::memcpy(text, last.data(), used);
-  std::memset(text + used, ' ', room - used);
+  std::copy_n(last.data(), used, text);
+  std::fill_n(text + used, room - used, ' ');
 }
 
 }  // namespace hgrid::f77
