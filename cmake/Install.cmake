@@ -24,7 +24,18 @@ install(EXPORT hgridTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR})
 
 if(TARGET hgrid_fortran)
   include(cmake/InstallFortran.cmake)
+else()
+  set(HGRID_FORTRAN_INCLUDEDIR ${CMAKE_INSTALL_INCLUDEDIR}/hgrid)
 endif()
+# Other Fortran compilers build the module from its sources: CMake by itself (hgridFortran.cmake), others from one file
+# that includes them all.
+set(HGRID_FORTRAN_SOURCEDIR ${CMAKE_INSTALL_DATADIR}/hgrid/fortran)
+include(bindings/fortran/sources.cmake)
+list(TRANSFORM HGRID_FORTRAN_SOURCES REPLACE "(.+)" "include '\\1'" OUTPUT_VARIABLE HGRID_FORTRAN_INCLUDES)
+list(JOIN HGRID_FORTRAN_INCLUDES "\n" HGRID_FORTRAN_INCLUDES)
+configure_file(cmake/hgrid_all.f90.in cmake/hgrid_all.f90 @ONLY)
+list(TRANSFORM HGRID_FORTRAN_SOURCES PREPEND bindings/fortran/ OUTPUT_VARIABLE HGRID_FORTRAN_FILES)
+install(FILES ${HGRID_FORTRAN_FILES} ${PROJECT_BINARY_DIR}/cmake/hgrid_all.f90 DESTINATION ${HGRID_FORTRAN_SOURCEDIR})
 
 get_target_property(HGRID_LIBRARY_TYPE hgrid TYPE)
 # Whoever links the static library must add the C++ runtime that the shared one brings along.
@@ -32,11 +43,15 @@ set(HGRID_RUNTIME_LIBS "-lstdc++ -lm -pthread")
 if(HGRID_THREADS)
   string(APPEND HGRID_RUNTIME_LIBS " -lgomp")
 endif()
-configure_package_config_file(cmake/hgridConfig.cmake.in cmake/hgridConfig.cmake INSTALL_DESTINATION
-                              ${HGRID_PACKAGE_DIR} NO_SET_AND_CHECK_MACRO)
+configure_package_config_file(
+  cmake/hgridConfig.cmake.in cmake/hgridConfig.cmake
+  INSTALL_DESTINATION ${HGRID_PACKAGE_DIR}
+  PATH_VARS HGRID_FORTRAN_INCLUDEDIR HGRID_FORTRAN_SOURCEDIR
+  NO_SET_AND_CHECK_MACRO)
 # Below 1.0 a new minor version may change the interface.
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/hgridConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/cmake/hgridConfig.cmake ${PROJECT_BINARY_DIR}/cmake/hgridConfigVersion.cmake
+              cmake/hgridFortran.cmake
         DESTINATION ${HGRID_PACKAGE_DIR})
 
 if(HGRID_LIBRARY_TYPE STREQUAL "STATIC_LIBRARY")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-# Install rules of the Fortran library. Module files fit one compiler only: their folder carries its name and version.
+# Install rules of the built Fortran library. Module files fit one compiler only: their folder carries its name and version.
 set(HGRID_FORTRAN_COMPILER ${CMAKE_Fortran_COMPILER_ID}-${CMAKE_Fortran_COMPILER_VERSION})
 set(HGRID_FORTRAN_INCLUDEDIR ${CMAKE_INSTALL_INCLUDEDIR}/hgrid/${HGRID_FORTRAN_COMPILER})
 
@@ -11,8 +11,3 @@ install(EXPORT hgridFortranTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE
 
 get_target_property(hgrid_module_dir hgrid_fortran Fortran_MODULE_DIRECTORY)
 install(DIRECTORY ${hgrid_module_dir}/ DESTINATION ${HGRID_FORTRAN_INCLUDEDIR} FILES_MATCHING PATTERN "*.mod")
-
-# Users of another compiler build the module from its source.
-get_target_property(hgrid_source_dir hgrid_fortran SOURCE_DIR)
-install(DIRECTORY ${hgrid_source_dir}/ DESTINATION ${CMAKE_INSTALL_DATADIR}/hgrid/fortran FILES_MATCHING
-        PATTERN "*.f90" PATTERN "*.inc")

@@ -157,7 +157,7 @@ contains
     end subroutine refuse_copy
 
     !> The C grid; null before create, and in a copy of the object, to which it does not belong.
-    pure function handle_of(self) result(handle)
+    function handle_of(self) result(handle)
         class(hg_handle), intent(in) :: self
         type(c_ptr) :: handle
 

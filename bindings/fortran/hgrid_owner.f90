@@ -57,7 +57,7 @@ contains
     end subroutine disown
 
     !> The C object; null if there is none or it belongs to another variable.
-    pure function owned(owner) result(object)
+    function owned(owner) result(object)
         type(hg_owner), allocatable, intent(in) :: owner
         type(c_ptr) :: object
 
@@ -74,7 +74,7 @@ contains
     end subroutine finish
 
     !> Where an owner stands in memory.
-    pure function place_of(owner) result(place)
+    function place_of(owner) result(place)
         type(hg_owner), intent(in), target :: owner
         type(c_ptr) :: place
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
 # Compiles a consumer against the installed copy with what pkg-config says, and runs it.
-# pkg_config.sh PACKAGE SOURCE_FILE FIRST_ID COMPILER WORK_DIR PKGCONFIG_DIR
+# pkg_config.sh PACKAGE SOURCE_FILE FIRST_ID COMPILER WORK_DIR PKGCONFIG_DIR [INSTALLED_FORTRAN_SOURCE]
 set -eu
 package=$1 source=$2 first=$3 compiler=$4 work=$5
 here=$(dirname "$0")
@@ -15,8 +15,10 @@ if [ "$version" != "$EXPECTED_VERSION" ]; then
 fi
 rm -rf "$work"
 mkdir -p "$work"
+# Module files go where the compiler runs.
+cd "$work"
 # shellcheck disable=SC2046  # a list of words
-"$compiler" "$source" $(pkg-config --cflags --libs "$package") -o "$work/contacts"
+"$compiler" ${7:+"$(pkg-config --variable=fortrandir "$package")/$7"} "$source" $(pkg-config --cflags --libs "$package") -o "$work/contacts"
 LD_LIBRARY_PATH=$(pkg-config --variable=libdir "$package")
 export LD_LIBRARY_PATH
 expect_contacts "$first" "$work/contacts"
