@@ -85,7 +85,7 @@ class Company {
       return;
     }
     const int32_t last = rng.chance(0.5) ? 3 : 1 + static_cast<int32_t>(members_.size() / 4);
-    for (Member &member : members_) member.body = rng.chance(0.3) ? -1 : rng.integer(0, last) * 1000000;
+    for (Member &member : members_) member.body = rng.chance(0.3) ? -1 : rng.integer(0, last) * 100000;
     hgrid::check(hg_set_bodies(grid.get(), members_.size(), column(&Member::body).data()));
   }
 
