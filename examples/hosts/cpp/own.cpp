@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// A tissue of discs that grow, divide and push each other aside. Their number changes in every step, and pairs are
+// found anew each time. Arguments: [COUNT [STEPS]]. Prints where each disc ends, with all digits; on standard error,
+// the seconds that the search and the whole took.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+// Hashed cells as wide as the largest disc.
+class Neighbors {
+ public:
+  // The pairs of discs that overlap, ascending: forces are then added up in the same order, whatever the cells.
+  auto pairs(const std::vector<double> &centers, const std::vector<double> &radii) {
+    const double edge = 2 * *std::max_element(radii.begin(), radii.end());
+    const int count = static_cast<int>(radii.size());
+    std::vector<std::pair<int, int>> found;
+    for (auto &[key, members] : cells_) members.clear();
+    for (int b = 0; b < count; b++) {  // those before b are in their cells
+      const double x = centers[2 * b], y = centers[2 * b + 1];
+      const auto column = static_cast<int64_t>(std::floor(x / edge)), row = static_cast<int64_t>(std::floor(y / edge));
+      for (int64_t i = column - 1; i <= column + 1; i++)
+        for (int64_t k = row - 1; k <= row + 1; k++) {
+          const auto cell = cells_.find(key(i, k));
+          if (cell == cells_.end()) continue;
+          for (const int a : cell->second) {
+            const double dx = x - centers[2 * a], dy = y - centers[2 * a + 1], reach = radii[a] + radii[b];
+            if (dx * dx + dy * dy < reach * reach) found.emplace_back(a, b);
+          }
+        }
+      cells_[key(column, row)].push_back(b);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+ private:
+  static int64_t key(int64_t column, int64_t row) { return column * 1048576 + row; }
+
+  std::unordered_map<int64_t, std::vector<int>> cells_;
+};
+
+class Tissue {
+ public:
+  explicit Tissue(int count) {
+    const int row = static_cast<int>(std::sqrt(count));
+    for (int i = 0; i < count; i++) add(1.8 * (i % row), 1.8 * (i / row), 1 + 0.3 * noise_(random_));
+  }
+
+  // Returns the number of contacts.
+  size_t step() {
+    const auto start = std::chrono::steady_clock::now();
+    const auto pairs = neighbors_.pairs(centers_, radii_);
+    search_time_ += std::chrono::steady_clock::now() - start;
+    push(pairs);
+    grow();
+    return pairs.size();
+  }
+
+  void print() const {
+    for (size_t i = 0; i < radii_.size(); i++)
+      std::printf("%.17g %.17g %.17g\n", centers_[2 * i], centers_[2 * i + 1], radii_[i]);
+  }
+  size_t count() const { return radii_.size(); }
+  double search_seconds() const { return search_time_.count(); }
+
+ private:
+  void add(double x, double y, double radius) {
+    centers_.insert(centers_.end(), {x, y});
+    radii_.push_back(radius);
+  }
+
+  // Discs in a viscous fluid move with the force.
+  template <class Pairs>
+  void push(const Pairs &pairs) {
+    forces_.assign(centers_.size(), 0);
+    pressure_.assign(radii_.size(), 0);
+    for (const auto &[a, b] : pairs) {
+      const double dx = centers_[2 * b] - centers_[2 * a], dy = centers_[2 * b + 1] - centers_[2 * a + 1];
+      const double distance = std::sqrt(dx * dx + dy * dy), overlap = radii_[a] + radii_[b] - distance;
+      const double fx = overlap * dx / distance, fy = overlap * dy / distance;
+      forces_[2 * a] -= fx, forces_[2 * a + 1] -= fy;
+      forces_[2 * b] += fx, forces_[2 * b + 1] += fy;
+      pressure_[a] += overlap, pressure_[b] += overlap;
+    }
+    for (size_t k = 0; k < centers_.size(); k++) centers_[k] += 0.15 * forces_[k];
+  }
+
+  // Discs under pressure grow less; one that has doubled its area divides.
+  void grow() {
+    const size_t count = radii_.size();
+    for (size_t i = 0; i < count; i++) {
+      radii_[i] *= 1 + 0.02 * std::max(0.0, 1 - 0.5 * pressure_[i]) * noise_(random_);
+      if (radii_[i] < 1.41421356) continue;
+      const double angle = 6.28318531 * noise_(random_), away = 0.4 * radii_[i];
+      const double x = centers_[2 * i], y = centers_[2 * i + 1];
+      radii_[i] *= 0.70710678;
+      centers_[2 * i] -= away * std::cos(angle), centers_[2 * i + 1] -= away * std::sin(angle);
+      add(x + away * std::cos(angle), y + away * std::sin(angle), radii_[i]);
+    }
+  }
+
+  struct Noise {  // between 0 and 1, the same with every compiler
+    double operator()(std::minstd_rand &random) const { return static_cast<double>(random()) / 2147483647.0; }
+  };
+
+  std::minstd_rand random_;
+  Noise noise_;
+  std::vector<double> centers_, radii_, forces_, pressure_;
+  Neighbors neighbors_;
+  std::chrono::duration<double> search_time_{0};
+};
+
+int main(int argc, char **argv) {
+  const int count = argc > 1 ? std::atoi(argv[1]) : 20000, steps = argc > 2 ? std::atoi(argv[2]) : 200;
+  if (count < 1 || steps < 1) {
+    std::fprintf(stderr, "arguments: [COUNT [STEPS]]\n");
+    return 1;
+  }
+  Tissue tissue(count);
+  const auto start = std::chrono::steady_clock::now();
+  for (int s = 1; s <= steps; s++) {
+    const size_t contacts = tissue.step();
+    if (s % 20 == 0) std::printf("step %d: %zu discs, %zu contacts\n", s, tissue.count(), contacts);
+  }
+  const std::chrono::duration<double> all = std::chrono::steady_clock::now() - start;
+  std::fprintf(stderr, "search %.3f s, all %.3f s\n", tissue.search_seconds(), all.count());
+  tissue.print();
+}
