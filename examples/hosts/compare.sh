@@ -11,20 +11,20 @@ shift 2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-for search in own hgrid; do
-  printf '%-5s ' "$search"
+for search in before after; do
+  printf '%-6s ' "$search"
   if [ "$host" = python ]; then
     "${PYTHON-python3}" "$sources/$search.py" "$@" >"$work/$search"
   else
     "$programs/$search" "$@" >"$work/$search"
   fi
 done 2>&1
-cmp "$work/own" "$work/hgrid"
-[ -s "$work/own" ]
-echo "both print the same $(wc -c <"$work/own") bytes"
+cmp "$work/before" "$work/after"
+[ -s "$work/before" ]
+echo "both print the same $(wc -c <"$work/before") bytes"
 
 # Lines with something on them.
-diff "$sources"/own.* "$sources"/hgrid.* >"$work/change" || true
+diff "$sources"/before.* "$sources"/after.* >"$work/change" || true
 new=$(grep -c '^> *[^ ]' "$work/change")
 echo "$new new lines, $(grep -c '^< *[^ ]' "$work/change") old ones gone"
 [ "$new" -le 10 ]
