@@ -35,7 +35,10 @@ class Tissue {
  public:
   explicit Tissue(int count) {
     const int row = static_cast<int>(std::sqrt(count));
-    for (int i = 0; i < count; i++) add(1.8 * (i % row), 1.8 * (i / row), 1 + 0.3 * noise_(random_));
+    for (int i = 0, line = 0; i < count; i++) {
+      if (i > 0 && i % row == 0) line++;
+      add(1.8 * (i % row), 1.8 * line, 1 + 0.3 * noise_(random_));
+    }
   }
 
   // Returns the number of contacts.
@@ -95,7 +98,7 @@ class Tissue {
     double operator()(std::minstd_rand &random) const { return static_cast<double>(random()) / 2147483647.0; }
   };
 
-  std::minstd_rand random_;
+  std::minstd_rand random_{1};
   Noise noise_;
   std::vector<double> centers_, radii_, forces_, pressure_;
   Neighbors neighbors_;

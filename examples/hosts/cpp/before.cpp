@@ -20,17 +20,16 @@ class Neighbors {
   // The pairs of discs that overlap, ascending: forces are then added up in the same order, whatever the cells.
   auto pairs(const std::vector<double> &centers, const std::vector<double> &radii) {
     const double edge = 2 * *std::max_element(radii.begin(), radii.end());
-    const int count = static_cast<int>(radii.size());
-    std::vector<std::pair<int, int>> found;
+    std::vector<std::pair<size_t, size_t>> found;
     for (auto &[key, members] : cells_) members.clear();
-    for (int b = 0; b < count; b++) {  // those before b are in their cells
+    for (size_t b = 0; b < radii.size(); b++) {  // those before b are in their cells
       const double x = centers[2 * b], y = centers[2 * b + 1];
       const auto column = static_cast<int64_t>(std::floor(x / edge)), row = static_cast<int64_t>(std::floor(y / edge));
       for (int64_t i = column - 1; i <= column + 1; i++)
         for (int64_t k = row - 1; k <= row + 1; k++) {
           const auto cell = cells_.find(key(i, k));
           if (cell == cells_.end()) continue;
-          for (const int a : cell->second) {
+          for (const size_t a : cell->second) {
             const double dx = x - centers[2 * a], dy = y - centers[2 * a + 1], reach = radii[a] + radii[b];
             if (dx * dx + dy * dy < reach * reach) found.emplace_back(a, b);
           }
@@ -44,14 +43,17 @@ class Neighbors {
  private:
   static int64_t key(int64_t column, int64_t row) { return column * 1048576 + row; }
 
-  std::unordered_map<int64_t, std::vector<int>> cells_;
+  std::unordered_map<int64_t, std::vector<size_t>> cells_;
 };
 
 class Tissue {
  public:
   explicit Tissue(int count) {
     const int row = static_cast<int>(std::sqrt(count));
-    for (int i = 0; i < count; i++) add(1.8 * (i % row), 1.8 * (i / row), 1 + 0.3 * noise_(random_));
+    for (int i = 0, line = 0; i < count; i++) {
+      if (i > 0 && i % row == 0) line++;
+      add(1.8 * (i % row), 1.8 * line, 1 + 0.3 * noise_(random_));
+    }
   }
 
   // Returns the number of contacts.
@@ -111,7 +113,7 @@ class Tissue {
     double operator()(std::minstd_rand &random) const { return static_cast<double>(random()) / 2147483647.0; }
   };
 
-  std::minstd_rand random_;
+  std::minstd_rand random_{1};
   Noise noise_;
   std::vector<double> centers_, radii_, forces_, pressure_;
   Neighbors neighbors_;

@@ -57,7 +57,7 @@ def forces(atoms, cutoff=2.5):
 
 
 # %% A run
-def run(count=3000, steps=10, dt=0.004):
+def run(count=3000, steps=5, dt=0.004):
     rng = np.random.default_rng(1)
     atoms = make_liquid(count, 0.8, rng)
     velocities = rng.normal(0, 1, (count, 3))
