@@ -134,7 +134,7 @@ class Session {
           ask_neighbors();
           break;
         case 8:
-          ask_sphere();
+          ask_spheres();
           break;
         case 9:
           look_inside();
@@ -320,10 +320,26 @@ class Session {
     model_.check_pairs(half);
   }
 
-  void ask_sphere() {
-    double center[3];
-    for (int k = 0; k < def_.dimension; k++) center[k] = bytes_.number();
-    const double radius = bytes_.length();
+  // Several at once that are taken, too, stand in rows that one of them alone gives.
+  void ask_spheres() {
+    particles::ParticleSet spheres;
+    spheres.dimension = def_.dimension;
+    for (int n = 1 + bytes_.below(3); n > 0; n--) {
+      double center[3];
+      for (int k = 0; k < def_.dimension; k++) center[k] = bytes_.number();
+      spheres.add(center, bytes_.length());
+      ask_sphere(spheres.center(spheres.count() - 1), spheres.radii.back());
+    }
+    takes([&] {
+      const hgrid::Rows rows = grid_.query_spheres(spheres.count(), spheres.centers.data(), spheres.radii.data());
+      for (size_t row = 0; row < rows.size(); row++) {
+        const hgrid::View<int32_t> ids = grid_.query_sphere(spheres.center(row), spheres.radii[row]);
+        expect(std::equal(ids.begin(), ids.end(), rows[row].begin(), rows[row].end()), "spheres at once differ");
+      }
+    });
+  }
+
+  void ask_sphere(const double *center, double radius) {
     takes([&] {
       const hgrid::View<int32_t> ids = grid_.query_sphere(center, radius);
       model_.check_sphere({center, radius}, ids.data(), ids.size());

@@ -175,7 +175,7 @@ void Grid::build() {
 
 BuiltGrid Grid::built() {
   build();
-  return {store_, overlap_, index_, candidates_};
+  return {store_, overlap_, index_, candidates_, threads_};
 }
 
 void Grid::build_locked() {

@@ -208,6 +208,17 @@ hg_status hg_query_sphere(hg_grid *grid, const double *center, double radius, co
   });
 }
 
+hg_status hg_query_spheres(hg_grid *grid, size_t count, const double *centers, const double *radii,
+                           const int64_t **offsets, const int32_t **ids) {
+  return on_grid(grid, {{offsets, "offsets"}, {ids, "ids"}}, [&](Grid &g) {
+    const Aligned<double> x(g, "centers", centers, count, g.dimension()), r(g, "radii", radii, count);
+    thread_local hg::QueryRows rows;
+    hg::query_spheres(g.built(), count, x.get(), r.get(), rows);
+    *offsets = rows.offsets();
+    *ids = rows.ids();
+  });
+}
+
 hg_status hg_query_levels(hg_grid *grid, const hg_level **levels, size_t *count) {
   return on_grid(grid, {{levels, "levels"}, {count, "count"}}, [&](Grid &g) { g.query_levels(levels, count); });
 }

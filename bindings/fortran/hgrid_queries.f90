@@ -1,13 +1,14 @@
 ! SPDX-FileCopyrightText: The libhgrid developers
 ! SPDX-License-Identifier: BSD-3-Clause
 
-!> The calls that read a grid. A new query is all in this file: the C call, the name, the procedure.
+!> The calls that read a grid, but for those of many places (hgrid_bulk). A new query is all in
+!> one file: the C call, the name, the procedure.
 module hgrid_queries
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_float, &
         c_int32_t, c_int64_t, c_ptr, c_size_t, c_sizeof
+    use hgrid_bulk, only: hg_bulk
     use hgrid_error, only: hg_error, number_text, raise, shape_text
     use hgrid_handle, only: c_hg_get_stats, conclude, dimension_of, handle_of
-    use hgrid_sets, only: hg_sets
     use hgrid_types, only: hg_grid_stats, hg_level, hg_level_cost, HG_ERR_ARGUMENT, &
         HG_ERR_CAPACITY, HG_ERR_LIMIT, HG_HALF, HG_OK
     use hgrid_visit, only: hg_contact_visitor, hg_pair_procedure, hg_pair_visitor, &
@@ -22,7 +23,7 @@ module hgrid_queries
 
     !> A grid: particles, and the search for pairs among them. It frees itself when it goes out of
     !> scope.
-    type, extends(hg_sets) :: hg_grid
+    type, extends(hg_bulk) :: hg_grid
     contains
         private
         procedure :: query_sphere_real64, query_sphere_real32

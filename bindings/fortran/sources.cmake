@@ -9,6 +9,7 @@ set(HGRID_FORTRAN_SOURCES
     hgrid_particles.f90
     hgrid_groups.f90
     hgrid_sets.f90
+    hgrid_bulk.f90
     hgrid_visit.f90
     hgrid_queries.f90
     hgrid_history.f90

@@ -150,6 +150,17 @@ HG_API hg_status hg_copy_neighbors(hg_grid *grid, int32_t list, size_t capacity,
 HG_API hg_status hg_query_sphere(hg_grid *grid, const double *center, double radius, const int32_t **ids,
                                  size_t *count);
 
+/* Many spheres at once: two sets of particles, probes, the cells of a fluid solver. Row k, ids[offsets[k]] ..
+ * ids[offsets[k + 1] - 1], is what hg_query_sphere gives for sphere k: ids ascending, each once. centers:
+ * [count][dimension]; radii: [count], >= 0, finite; offsets has count + 1 entries and starts at 0. On the threads of
+ * the grid. All or nothing. The result is borrowed until this thread's next hg_query_spheres on any grid; it comes from
+ * malloc, of which a thread keeps 16 MiB at most, or the last result, until it ends.
+ * Errors: HG_ERR_NULL, HG_ERR_ARGUMENT (with the index of the sphere), HG_ERR_MEMORY; HG_ERR_LIMIT if one reaches
+ * across too many tilted cells, or count is above 2^31 - 1. Complexity: as hg_query_sphere of each, which is faster
+ * here, as spheres are taken in an order in which near ones follow each other. */
+HG_API hg_status hg_query_spheres(hg_grid *grid, size_t count, const double *centers, const double *radii,
+                                  const int64_t **offsets, const int32_t **ids);
+
 /* Whether two spheres interact that the grid need not hold, by its own rule as in hg_query_sphere: *overlaps is 1 or 0.
  * Errors: HG_ERR_NULL, HG_ERR_ARGUMENT; HG_ERR_LIMIT if they reach across too many tilted cells. */
 HG_API hg_status hg_overlap(hg_grid *grid, const double *center_a, double radius_a, const double *center_b,

@@ -37,14 +37,14 @@ class Memory {
 // count * size, or HG_ERR_MEMORY where that overflows.
 size_t array_bytes(size_t count, size_t size);
 
-// An array that grows and never shrinks. Its elements are plain values and start undefined.
+// An array that grows and does not shrink by itself. Its elements are plain values and start undefined.
 template <class T>
 class Buffer {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
   explicit Buffer(Memory &memory) : memory_(&memory) {}
-  ~Buffer() { memory_->release(data_, capacity_ * sizeof(T)); }
+  ~Buffer() { release(); }
   Buffer(const Buffer &) = delete;
   Buffer &operator=(const Buffer &) = delete;
   Buffer(Buffer &&other) noexcept
@@ -71,11 +71,16 @@ class Buffer {
   void require(size_t count) {
     if (count <= capacity_) return;
     const size_t size = array_bytes(count, sizeof(T));
+    release();
+    data_ = static_cast<T *>(memory_->allocate(size));
+    capacity_ = count;
+  }
+
+  // Back to no elements.
+  void release() {
     memory_->release(data_, capacity_ * sizeof(T));
     data_ = nullptr;
     capacity_ = 0;
-    data_ = static_cast<T *>(memory_->allocate(size));
-    capacity_ = count;
   }
 
   // As require, with an eighth to spare where it must grow: for sizes that change a little from step to step.

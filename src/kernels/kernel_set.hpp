@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The kernels of each instruction set that this build holds, and the choice among them at run time. A kernel is a
 // function over plain pointers and numbers, so that it can be compiled for an instruction set of its own without
-// sharing inline functions with other files. The order is that of the data: input check, build, images, search; then,
-// step by step, update and filter; last the order of the pairs.
+// sharing inline functions with other files. The order is that of the data: input check, build, images, search,
+// spheres; then, step by step, update and filter; last the order of the pairs.
 #pragma once
 
 #include "src/base/interval.hpp"
@@ -182,6 +182,22 @@ struct ChunkSearchKernel {
                       const NearChunks &near, const PointArrays &particles, PairStream *stream);
 };
 
+// ---- spheres: queries of single places
+
+// A sphere among particles, its radius folded.
+struct SpherePoint {
+  Point at;
+  bool may_be_sure;  // else nothing that is found is
+};
+
+// Set in a hit that is undecided.
+inline constexpr uint32_t kUnsureHit = uint32_t{1} << 31;
+
+// Which of the particles [begin, end) the sphere interacts with, by their place in the columns and in that order.
+// `hits` has room for all of them and kPadding more. Returns how many they are.
+using SphereKernel = size_t(const SpherePoint &sphere, const PointArrays &particles, uint32_t begin, uint32_t end,
+                            uint32_t *hits);
+
 // ---- update: where the particles of stored candidates are now
 
 // Where particles were when the candidates were collected, and where they are now.
@@ -242,6 +258,7 @@ struct KernelSet {
   ImageKernel *find_images[2];
   SearchKernel search[2][InteractionRules::kCount];
   ChunkSearchKernel chunk_search[2][InteractionRules::kCount];
+  SphereKernel *find_hits[2][InteractionRules::kCount];
   UpdateKernel *update[2];
   FilterKernel *filter[InteractionRules::kCount];
   OrderKernel *order;

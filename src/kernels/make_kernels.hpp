@@ -11,6 +11,7 @@
 #include "src/kernels/input_check.hpp"
 #include "src/kernels/order.hpp"
 #include "src/kernels/search.hpp"
+#include "src/kernels/sphere.hpp"
 #include "src/kernels/update.hpp"
 
 namespace hg {
@@ -25,6 +26,7 @@ constexpr KernelSet make_kernels(const char *name, RuleList<Rules...>) {
           {find_images<2>, find_images<3>},
           {{make_search<V, 2, Rules>()...}, {make_search<V, 3, Rules>()...}},
           {{make_chunk_search<V, 2, Rules>()...}, {make_chunk_search<V, 3, Rules>()...}},
+          {{find_hits<V, 2, Rules>...}, {find_hits<V, 3, Rules>...}},
           {update<2>, update<3>},
           {filter<V, Rules>...},
           order<Sorter>};

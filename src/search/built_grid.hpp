@@ -15,6 +15,7 @@ struct BuiltGrid {
   const Overlap &overlap;
   const Index &index;
   const StoredCandidates &candidates;  // of that index; particles may have moved since within the skin
+  int threads;
 };
 
 }  // namespace hg

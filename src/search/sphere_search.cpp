@@ -4,28 +4,36 @@
 
 #include "src/base/error.hpp"
 #include "src/base/ordered_bits.hpp"
-#include "src/kernels/lanes_scalar.hpp"
+#include "src/search/level_ranges.hpp"
+#include "src/search/pair_search.hpp"
 #include "src/space/search_box.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace hg {
 namespace {
 
-// `of`: which of several, in texts.
-void check_sphere(const Domain &domain, const Ball &sphere, const char *of = "") {
+// In texts.
+struct SphereName {
+  std::string center, radius;
+};
+
+// `name()` is asked for only if something is wrong.
+template <class Name>
+void check_sphere(const Domain &domain, const Ball &sphere, Name &&name) {
   for (int axis = 0; axis < domain.dimension; axis++) {
     const double x = sphere.center[axis];
-    if (!std::isfinite(x)) fail(HG_ERR_ARGUMENT, "center%s[%d] = %g is not finite", of, axis, x);
+    if (!std::isfinite(x)) fail(HG_ERR_ARGUMENT, "%s[%d] = %g is not finite", name().center.c_str(), axis, x);
   }
   const Domain::Outside outside = domain.outside(sphere.center);
   if (!(outside.boxes <= domain.most_outside())) {
-    fail(HG_ERR_ARGUMENT, "center%s[%d] = %g: more than 2^%d box lengths outside the periodic box", of, outside.axis,
-         sphere.center[outside.axis], std::ilogb(domain.most_outside()));
+    fail(HG_ERR_ARGUMENT, "%s[%d] = %g: more than 2^%d box lengths outside the periodic box", name().center.c_str(),
+         outside.axis, sphere.center[outside.axis], std::ilogb(domain.most_outside()));
   }
   if (!std::isfinite(sphere.radius) || is_negative(sphere.radius)) {
-    fail(HG_ERR_ARGUMENT, "radius%s = %g is not finite and >= 0", of, sphere.radius);
+    fail(HG_ERR_ARGUMENT, "%s = %g is not finite and >= 0", name().radius.c_str(), sphere.radius);
   }
 }
 
@@ -34,9 +42,9 @@ void check_sphere(const Domain &domain, const Ball &sphere, const char *of = "")
 // diagonal.
 double farthest_image(const Domain &domain, int axis, double reach) {
   if (!domain.periodic[axis]) return reach;
-  const double diagonal = std::hypot(domain.period(0), domain.period(1), domain.period(2));
-  const double nearest = 0.5 * (domain.is_tilted() ? diagonal : domain.length[axis]) * (1 + 0x1p-20);
-  return std::min(reach, nearest);
+  const double longest =
+      domain.is_tilted() ? std::hypot(domain.period(0), domain.period(1), domain.period(2)) : domain.length[axis];
+  return std::min(reach, 0.5 * longest * (1 + 0x1p-20));
 }
 
 // In a very thin cell.
@@ -48,120 +56,168 @@ void check_reach(const Domain &domain, double reach) {
   fail(HG_ERR_LIMIT, "a reach of %g goes across too many periodic cells", reach);
 }
 
+// Of a sphere among particles.
+template <class Name>
+void check_query(const Index &index, const Ball &sphere, Name &&name) {
+  check_sphere(index.domain, sphere, name);
+  for (int h = 0; index.domain.is_tilted() && h < index.level_count; h++) {
+    const IndexLevel &level = index.levels[h];
+    if (!level.is_empty()) check_reach(index.domain, index.interaction.reach(sphere.radius, level.largest_radius));
+  }
+}
+
 class SphereSearch {
  public:
-  SphereSearch(const BuiltGrid &grid, const Ball &sphere, Buffer<int32_t> &ids)
+  explicit SphereSearch(const BuiltGrid &grid)
       : grid_(grid),
         index_(grid.index),
-        sphere_(sphere),
-        ids_(ids),
-        boxes_(index_.domain.take_in(sphere.center, place_)) {}
+        particles_(index_.particles.arrays(false)),
+        find_hits_(active_kernels().find_hits[index_.domain.dimension - 2][index_.interaction.kind]),
+        skin_(index_.interaction.margin - grid.overlap.interaction().margin) {}
 
-  size_t run() {
+  // As RowSource::find.
+  size_t find(const Ball &sphere, Buffer<int32_t> &ids, size_t count) const {
+    Found found{sphere, ids, count, {0, 0, 0}, {}, false};
+    found.boxes = index_.domain.take_in(sphere.center, found.place);
     for (int h = 0; h < index_.level_count; h++) {
-      if (!index_.levels[h].is_empty()) search_level(h);
+      if (!index_.levels[h].is_empty()) search_level(h, found);
     }
-    std::sort(ids_.data(), ids_.data() + count_);
-    // A sphere wider than half the box can meet a particle through several images.
-    if (index_.domain.any_periodic) {
-      count_ = static_cast<size_t>(std::unique(ids_.data(), ids_.data() + count_) - ids_.data());
-    }
-    return count_;
+    return ascend_row(ids, count, found.count, found.may_repeat);
   }
 
  private:
-  void search_level(int h) {
+  struct Found {
+    const Ball &sphere;
+    Buffer<int32_t> &ids;
+    size_t count;
+    double place[3];
+    Shift boxes;      // that were taken off the centre
+    bool may_repeat;  // a sphere wider than half the box can meet a particle through several images
+  };
+
+  void search_level(int h, Found &found) const {
     const Domain &domain = index_.domain;
-    const double reach = index_.interaction.reach(sphere_.radius, index_.levels[h].largest_radius);
-    // Stored candidates may have left their places by the skin.
-    const double skin = index_.interaction.margin - grid_.overlap.interaction().margin;
-    check_reach(domain, reach);
+    const double reach = index_.interaction.reach(found.sphere.radius, index_.levels[h].largest_radius);
     PlaceBox to;
     for (int axis = 0; axis < domain.dimension; axis++) {
-      const double around = farthest_image(domain, axis, reach * (1 + 0x1p-40)) + skin + place_slack(domain, axis);
+      // Stored candidates may have left their places by the skin.
+      const double around = farthest_image(domain, axis, reach * (1 + 0x1p-40)) + skin_ + place_slack(domain, axis);
       to.low[axis] = -around;
       to.high[axis] = index_.map.extent[axis] / index_.map.scale + around;
     }
-    visit_shifts(domain, PlaceBox::at(place_, domain.dimension), to,
-                 [&](const Shift &shift) { search(h, search_box(domain, place_, shift, reach), shift); });
-  }
-
-  void search(int h, const PlaceBox &box, const Shift &shift) {
-    if (index_.chunked) {
-      search_chunks(index_.chunks.level(h), box, shift);
-    } else {
-      search_cells(index_.levels[h].cells, box, shift);
-    }
-  }
-
-  void search_chunks(const ChunkLevel &level, const PlaceBox &box, const Shift &shift) {
-    PlaceBox places;
-    for (int axis = 0; axis < index_.domain.dimension; axis++) {
-      places.low[axis] = place(axis, box.low[axis]);
-      places.high[axis] = place(axis, box.high[axis]);
-    }
-    index_.chunks.visit_box(level, places, [&](size_t chunk, const double *) {
-      test(index_.chunks.chunk_begin(chunk), index_.chunks.chunk_end(chunk), shift);
-      return true;
+    int shifts = 0;
+    visit_shifts(domain, PlaceBox::at(found.place, domain.dimension), to, [&](const Shift &shift) {
+      found.may_repeat = found.may_repeat || shifts++ > 0;
+      search_image(h, reach, shift, found);
     });
   }
 
-  double place(int axis, double x) const {
-    return index_.map.quanta(axis, index_.is_squeezed(axis) ? index_.squeezed.position(axis, x) : x);
-  }
-
-  // Eqs. 4 and 5, row by row.
-  void search_cells(const CellTable &cells, const PlaceBox &box, const Shift &shift) {
-    int32_t first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
-    for (int axis = 0; axis < index_.domain.dimension; axis++) {
-      first[axis] = outer_cell(cells, axis, box.low[axis], -1.0);
-      last[axis] = outer_cell(cells, axis, box.high[axis], 1.0);
-    }
-    for (int32_t z = first[2]; z <= last[2]; z++) {
-      for (int32_t y = first[1]; y <= last[1]; y++) {
-        const size_t row = static_cast<size_t>(z) * static_cast<size_t>(cells.count[1]) + static_cast<size_t>(y);
-        const uint32_t *cell = cells.cell_begin + row * static_cast<size_t>(cells.count[0]);
-        test(cell[first[0]], cell[last[0] + 1], shift);
+  void search_image(int h, double reach, const Shift &shift, Found &found) const {
+    SpherePoint point;
+    const bool fast = suits_fast_test(h, reach) && find_point(found, shift, point);
+    visit_ranges(index_, h, search_box(index_.domain, found.place, shift, reach), [&](uint32_t begin, uint32_t end) {
+      if (begin == end) return;
+      found.ids.grow(found.count + (end - begin) + kPadding);
+      if (fast) {
+        test_fast(point, begin, end, shift, found);
+      } else {
+        test_all(begin, end, shift, found);
       }
+    });
+  }
+
+  // Chunks that a sphere meets are no farther from it than it reaches and a chunk is long, so that differences of
+  // coordinates that wrap are exact. docs/theory/exactness.md, section 12.
+  bool suits_fast_test(int h, double reach) const {
+    if (index_.chunked && (index_.chunks.level(h).giants || index_.squeezed.in_use())) return false;
+    return reach * index_.map.scale <= (index_.chunked ? kLongestInChunks : kLongestInCells) &&
+           plain_squares_are_clear(grid_.overlap.accuracy(), index_.map.scale, reach);
+  }
+
+  // False if the sphere is so far from all particles that coordinates do not reach there.
+  bool find_point(const Found &found, const Shift &shift, SpherePoint &point) const {
+    const double lowest = index_.chunked ? -kFarthestPlace : -kFixedPointQuanta;
+    const double highest = index_.chunked ? kFarthestPlace : 2 * kFixedPointQuanta - 1;
+    int32_t x[3] = {0, 0, 0};
+    for (int axis = 0; axis < index_.domain.dimension; axis++) {
+      const double quanta = index_.map.quanta(axis, found.place[axis] + index_.domain.shifted(axis, shift));
+      if (!(quanta >= lowest && quanta <= highest)) return false;
+      const double whole = index_.chunked ? std::nearbyint(quanta) : std::floor(quanta);
+      x[axis] = static_cast<int32_t>(static_cast<uint32_t>(static_cast<int64_t>(whole)));
+    }
+    const double radius = index_.interaction.folded_radius(found.sphere.radius) * index_.map.scale;
+    point = {{x[0], x[1], x[2], static_cast<float>(radius)}, skin_ == 0};
+    return true;
+  }
+
+  void test_fast(const SpherePoint &point, uint32_t begin, uint32_t end, const Shift &shift, Found &found) const {
+    int32_t *ids = found.ids.data() + found.count;
+    const size_t hits = find_hits_(point, particles_, begin, end, reinterpret_cast<uint32_t *>(ids));
+    for (size_t k = 0; k < hits; k++) {
+      const auto hit = static_cast<uint32_t>(ids[k]);
+      const uint32_t particle = hit & ~kUnsureHit, slot = particles_.slot[particle];
+      if (hit != particle && !holds(particle, slot, shift, found)) continue;
+      found.ids[found.count++] = grid_.store.id(slot);
     }
   }
 
-  // The cell of an end of the box, which may lie far outside; `side` says which way it may move.
-  int32_t outer_cell(const CellTable &cells, int axis, double x, double side) const {
-    const double quanta = index_.map.quanta(axis, x) + side * static_cast<double>(kSearchSlack);
-    const auto within = static_cast<float>(std::clamp(quanta, -1.0, kFixedPointQuanta));
-    return cell_of<ScalarLanes>(within, cells.inverse_width[axis], last_of(cells, axis));
-  }
-
-  void test(uint32_t begin, uint32_t end, const Shift &shift) {
-    int64_t exact = 0;
+  void test_all(uint32_t begin, uint32_t end, const Shift &shift, Found &found) const {
     for (uint32_t j = begin; j < end; j++) {
-      const uint32_t slot = index_.particles.slot[j];
-      if (!grid_.overlap.holds(sphere_, grid_.store.ball(slot), shift + boxes_of(j, slot) - boxes_, exact)) continue;
-      ids_.grow(count_ + 1);
-      ids_[count_++] = grid_.store.id(slot);
+      const uint32_t slot = particles_.slot[j];
+      if (holds(j, slot, shift, found)) found.ids[found.count++] = grid_.store.id(slot);
     }
   }
 
-  Shift boxes_of(uint32_t particle, uint32_t slot) const {
-    return grid_.candidates.moved() ? grid_.candidates.boxes(particle, grid_.store)
-                                    : index_.domain.boxes(grid_.store.center(slot));
+  bool holds(uint32_t particle, uint32_t slot, const Shift &shift, const Found &found) const {
+    const Shift boxes = grid_.candidates.moved() ? grid_.candidates.boxes(particle, grid_.store)
+                                                 : index_.domain.boxes(grid_.store.center(slot));
+    int64_t exact = 0;
+    return grid_.overlap.holds(found.sphere, grid_.store.ball(slot), shift + boxes - found.boxes, exact);
   }
+
+  // In quanta. Floats hold their squares; coordinates that wrap their differences.
+  static constexpr double kLongestInCells = 0x1p60, kLongestInChunks = 0x1p29;
+  static constexpr double kFarthestPlace = 0x1p50;
 
   const BuiltGrid &grid_;
   const Index &index_;
-  const Ball &sphere_;
-  Buffer<int32_t> &ids_;
-  double place_[3] = {0, 0, 0};
-  Shift boxes_;  // that were taken off the centre
-  size_t count_ = 0;
+  PointArrays particles_;
+  SphereKernel *find_hits_;
+  double skin_;
+};
+
+class ManySpheres final : public RowSource {
+ public:
+  ManySpheres(const BuiltGrid &grid, size_t count, const double *centers, const double *radii)
+      : search_(grid),
+        dimension_(static_cast<size_t>(grid.index.domain.dimension)),
+        count_(count),
+        centers_(centers),
+        radii_(radii) {
+    for (size_t k = 0; k < count; k++) {
+      check_query(grid.index, ball(k), [k] {
+        const std::string row = "[" + std::to_string(k) + "]";
+        return SphereName{"centers" + row, "radii" + row};
+      });
+    }
+  }
+  size_t count() const override { return count_; }
+  void find_center(size_t k, double *center) const override { std::copy_n(ball(k).center, dimension_, center); }
+  size_t find(size_t k, Buffer<int32_t> &ids, size_t count) const override { return search_.find(ball(k), ids, count); }
+
+ private:
+  Ball ball(size_t k) const { return {centers_ + k * dimension_, radii_[k]}; }
+
+  SphereSearch search_;
+  size_t dimension_, count_;
+  const double *centers_, *radii_;
 };
 
 }  // namespace
 
 bool overlaps(const Domain &domain, const Overlap &overlap, const Ball &a, const Ball &b) {
-  check_sphere(domain, a, "_a");
-  check_sphere(domain, b, "_b");
+  check_sphere(domain, a, [] { return SphereName{"center_a", "radius_a"}; });
+  check_sphere(domain, b, [] { return SphereName{"center_b", "radius_b"}; });
   double place_a[3] = {0, 0, 0}, place_b[3] = {0, 0, 0};
   const Shift boxes = domain.take_in(b.center, place_b) - domain.take_in(a.center, place_a);
   const double reach = overlap.interaction().reach(a.radius, b.radius) * (1 + 0x1p-40);
@@ -180,8 +236,12 @@ bool overlaps(const Domain &domain, const Overlap &overlap, const Ball &a, const
 }
 
 size_t query_sphere(const BuiltGrid &grid, const Ball &sphere, Buffer<int32_t> &ids) {
-  check_sphere(grid.index.domain, sphere);
-  return SphereSearch(grid, sphere, ids).run();
+  check_query(grid.index, sphere, [] { return SphereName{"center", "radius"}; });
+  return SphereSearch(grid).find(sphere, ids, 0);
+}
+
+void query_spheres(const BuiltGrid &grid, size_t count, const double *centers, const double *radii, QueryRows &rows) {
+  rows.find(grid, ManySpheres(grid, count, centers, radii));
 }
 
 }  // namespace hg

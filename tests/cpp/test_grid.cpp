@@ -61,6 +61,15 @@ void a_sphere_finds_ids() {
   require(grid.query_sphere(nowhere, 0.1).empty(), "a sphere far away meets something");
 }
 
+void spheres_find_rows() {
+  hgrid::Grid grid = chain();
+  const double centers[6] = {1e9, 0, 0, 1.5, 0, 0}, radii[2] = {0.1, 0.1};
+  const hgrid::Rows rows = grid.query_spheres(2, centers, radii);
+  require(rows.size() == 2 && rows[0].empty(), "a sphere far away meets something");
+  require_same("ids", std::vector<int32_t>(rows[1].begin(), rows[1].end()), {1, 2});
+  require(grid.query_spheres(0, nullptr, nullptr).size() == 0, "no spheres have rows");
+}
+
 void levels_and_counters() {
   hgrid::Grid grid = chain();
   grid.build();
@@ -230,6 +239,7 @@ void failures_tell_status_and_text() {
   require_error(HG_ERR_NOT_FOUND, "17", [&] { grid.remove(1, unknown); });
   require_error(HG_ERR_ARGUMENT, "list = 2", [&] { grid.query_neighbors(2); });
   require_error(HG_ERR_ARGUMENT, "center", [&] { grid.query_sphere(nan, 1); });
+  require_error(HG_ERR_ARGUMENT, "centers[0][1]", [&] { grid.query_spheres(1, nan, kRadii); });
   require_error(HG_ERR_NULL, "visit", [&] { grid.visit_pairs(nullptr, nullptr); });
   require_error(HG_ERR_NULL, "allocate", [] {
     const hg_allocator incomplete{};
@@ -246,6 +256,7 @@ int main() {
                               cmocka_unit_test(run<views_show_what_c_lends>),
                               cmocka_unit_test(run<neighbors_are_rows>),
                               cmocka_unit_test(run<a_sphere_finds_ids>),
+                              cmocka_unit_test(run<spheres_find_rows>),
                               cmocka_unit_test(run<levels_and_counters>),
                               cmocka_unit_test(run<particles_come_move_and_go>),
                               cmocka_unit_test(run<a_box_may_change>),

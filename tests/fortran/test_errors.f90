@@ -79,6 +79,9 @@ contains
         call check_fails(err, HG_ERR_NULL, text, 'query_neighbors into arrays')
         call grid%query_sphere(x(:, 1), r(1), ids, err)
         call check_fails(err, HG_ERR_NULL, text, 'query_sphere')
+        call grid%query_spheres(x, r, offsets, ids, err)
+        call check_fails(err, HG_ERR_NULL, text, 'query_spheres')
+        call check(.not. (associated(offsets) .or. associated(ids)), 'rows of a failed query')
         call grid%query_levels(levels, err)
         call check_fails(err, HG_ERR_NULL, text, 'query_levels')
         call check(.not. associated(levels), 'levels of a failed query')
@@ -92,6 +95,7 @@ contains
     subroutine test_shapes()
         type(hg_grid) :: grid
         type(hg_error) :: err
+        integer(c_int64_t), pointer :: offsets(:)
         integer(c_int32_t), pointer :: ids(:)
         real(c_double), allocatable :: wide(:, :)
 
@@ -119,6 +123,12 @@ contains
         call check_fails(err, HG_ERR_ARGUMENT, 'center(2) does not fit a grid of dimension 3', &
             'query_sphere')
         call check(.not. associated(ids), 'ids of a failed query')
+        call grid%query_spheres(x(:2, :), r, offsets, ids, err)
+        call check_fails(err, HG_ERR_ARGUMENT, 'centers(2,2) does not fit a grid of dimension 3', &
+            'query_spheres')
+        call grid%query_spheres(real(x, c_float), real(r(:1), c_float), offsets, ids, err)
+        call check_fails(err, HG_ERR_ARGUMENT, 'centers(3,2) and radii(1) differ', 'query_spheres')
+        call check(.not. (associated(offsets) .or. associated(ids)), 'rows of a failed query')
     end subroutine test_shapes
 
     subroutine expect_particles(grid, expected, what)
@@ -155,6 +165,8 @@ contains
         call expect_particles(grid, 0, 'inserts of bad values')
         call grid%query_sphere(x(:, 1), -0.5_c_double, ids, err)
         call check_fails(err, HG_ERR_ARGUMENT, '-0.5', 'query_sphere of a negative radius')
+        call grid%query_spheres(x, [0.5_c_double, -0.5_c_double], offsets, ids, err)
+        call check_fails(err, HG_ERR_ARGUMENT, 'radii(2) = -0.5', 'query_spheres')
         call grid%query_neighbors(7, offsets, ids, err)
         call check_fails(err, HG_ERR_ARGUMENT, '7', 'query_neighbors of an unknown list')
     end subroutine test_values

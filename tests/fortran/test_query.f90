@@ -74,28 +74,48 @@ contains
         end do
     end subroutine expect_pairs
 
-    !> The last particle leaves the grid and asks as a sphere whom it meets.
+    !> The last particles leave the grid and ask as spheres whom they meet, all at once and the very
+    !> last one alone.
     subroutine expect_spheres(particles, by)
         !> The particles
         type(scene), intent(in) :: particles
         !> The rule
         type(rule), intent(in) :: by
 
+        integer, parameter :: spheres = 20
         type(hg_grid) :: grid
-        integer(c_int32_t), pointer :: ids(:)
+        integer(c_int64_t), pointer :: offsets(:)
+        integer(c_int32_t), pointer :: ids(:), rows(:)
         integer, allocatable :: expected(:)
-        integer :: i, n
-        logical :: same
+        integer :: i, k, n
 
         call make_grid(grid, particles, by)
-        n = size(particles%r)
-        call grid%remove([n])
-        call grid%query_sphere(length_of(particles%x(:, n)), length_of(particles%r(n)), ids)
-        expected = pack([(i, i=1, n - 1)], [(interact(particles, i, n, by), i=1, n - 1)])
+        n = size(particles%r) - spheres
+        call grid%remove([(n + k, k=1, spheres)])
+        call grid%query_spheres(length_of(particles%x(:, n + 1:)), length_of(particles%r(n + 1:)), &
+            offsets, rows)
+        call check(size(offsets) == spheres + 1 .and. offsets(1) == 0, 'offsets of query_spheres')
+        do k = 1, spheres
+            expected = pack([(i, i=1, n)], [(interact(particles, i, n + k, by), i=1, n)])
+            call check(is_same(rows(offsets(k) + 1:offsets(k + 1)), expected), &
+                'query_spheres; '//rule_name(by)//scene_name(particles))
+        end do
+        call check(size(rows) == offsets(spheres + 1), 'ids of query_spheres')
+        call grid%query_sphere(length_of(particles%x(:, n + spheres)), &
+            length_of(particles%r(n + spheres)), ids)
+        call check(is_same(ids, expected), 'query_sphere; '//rule_name(by)//scene_name(particles))
+    end subroutine expect_spheres
+
+    function is_same(ids, expected) result(same)
+        !> What was found
+        integer(c_int32_t), intent(in) :: ids(:)
+        !> What is true
+        integer, intent(in) :: expected(:)
+        logical :: same
+
         same = size(ids) == size(expected)
         if (same) same = all(ids == expected)
-        call check(same, 'query_sphere; '//rule_name(by)//scene_name(particles))
-    end subroutine expect_spheres
+    end function is_same
 
     function rule_name(by) result(text)
         !> The rule

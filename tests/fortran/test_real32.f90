@@ -3,7 +3,7 @@
 
 !> Single precision: the grid works on the exact double value of each real32.
 program test_real32
-    use, intrinsic :: iso_c_binding, only: c_double, c_float, c_int32_t
+    use, intrinsic :: iso_c_binding, only: c_double, c_float, c_int32_t, c_int64_t
     use hgrid, only: hg_default_grid_def, hg_grid, hg_grid_def
     use brute_force, only: contact_matrix, difference, length_of, rule, scene, scene_name
     use checks, only: check, finish_checks
@@ -28,6 +28,7 @@ contains
         type(hg_grid_def) :: def
         type(scene) :: particles
         real(c_float) :: table(4, 2*n)
+        integer(c_int64_t), pointer :: offsets(:)
         integer(c_int32_t), pointer :: ids(:)
 
         call particles%fill(seed=7, dimension=dimension, n=n, edge=2**20, r_max=2**17, grain=2**10)
@@ -52,6 +53,9 @@ contains
 
         call grid%query_sphere(table(:dimension, 1), 0.0_c_float, ids)
         call check(any(ids == 1) .or. table(4, 1) <= 0, 'query_sphere finds who is there')
+        call grid%query_spheres(table(:dimension, 1:3:2), table(4, 1:3:2), offsets, ids)
+        call check(any(ids(:offsets(2)) == 1) .and. any(ids(offsets(2) + 1:) == 2), &
+            'query_spheres finds who is there')
     end subroutine test_calls
 
     subroutine expect_pairs(grid, particles, what)

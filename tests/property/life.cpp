@@ -261,7 +261,7 @@ void Life::compare() {
   require(grid_.get_stats().particle_count == static_cast<int64_t>(live_.count()), "wrong number of live particles");
   if (rng_.chance(0.3)) compare_visit(expected);
   if (rng_.chance(0.3)) compare_rows(expected);
-  if (rng_.chance(0.3)) compare_sphere();
+  if (rng_.chance(0.3)) compare_spheres();
 }
 
 void Life::compare_visit(const Pairs &expected) {
@@ -280,24 +280,31 @@ void Life::compare_rows(const Pairs &expected) {
   require_answer("rows", rows, sorted(wanted));
 }
 
-// One that lies where a particle does, or beside it.
-void Life::compare_sphere() {
+// Some that lie where a particle does, or beside it.
+void Life::compare_spheres() {
   if (live_.count() == 0) return;
-  double center[3] = {0, 0, 0};
-  std::copy_n(live_.center(rng_.below(live_.count())), live_.dimension, center);
-  double radius = live_.radii[rng_.below(live_.count())];
-  if (rng_.chance(0.5)) {
-    const double reach = largest_reach(scene_.def, live_);
-    for (double &x : center) x += rng_.uniform(-0.5, 0.5) * reach;
-    radius = rng_.uniform() * reach;
+  Particles spheres;
+  spheres.dimension = live_.dimension;
+  std::vector<std::vector<int32_t>> expected(1 + rng_.below(3));
+  for (std::vector<int32_t> &row : expected) {
+    double center[3] = {0, 0, 0};
+    std::copy_n(live_.center(rng_.below(live_.count())), live_.dimension, center);
+    double radius = live_.radii[rng_.below(live_.count())];
+    if (rng_.chance(0.5)) {
+      const double reach = largest_reach(scene_.def, live_);
+      for (double &x : center) x += rng_.uniform(-0.5, 0.5) * reach;
+      radius = rng_.uniform() * reach;
+    }
+    spheres.add(center, radius);
+    for (const int32_t id : all_in_sphere(scene_.def, live_, {center, radius}, rule_)) {
+      const auto live = static_cast<size_t>(id - scene_.def.index_base);
+      if (!company_.is_absent(live)) row.push_back(ids_[live]);
+    }
   }
-  const hgrid::View<int32_t> found = grid_.query_sphere(center, radius);
-  std::vector<int32_t> expected;
-  for (const int32_t id : all_in_sphere(scene_.def, live_, {center, radius}, rule_)) {
-    const auto row = static_cast<size_t>(id - scene_.def.index_base);
-    if (!company_.is_absent(row)) expected.push_back(ids_[row]);
-  }
-  require_same((scene_.name + ", sphere").c_str(), std::vector<int32_t>(found.begin(), found.end()), expected);
+  require_same((scene_.name + ", sphere").c_str(), list_of(grid_.query_sphere(spheres.center(0), spheres.radii[0])),
+               expected[0]);
+  require_rows(scene_.name + ", spheres",
+               grid_.query_spheres(spheres.count(), spheres.centers.data(), spheres.radii.data()), expected);
   compared_++;
 }
 

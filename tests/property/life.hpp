@@ -51,7 +51,7 @@ class Life {
   void compare();
   void compare_visit(const Pairs &expected);
   void compare_rows(const Pairs &expected);
-  void compare_sphere();
+  void compare_spheres();
   void require_answer(const char *what, const Pairs &got, const Pairs &expected);
 
   Rng rng_;

@@ -87,6 +87,9 @@ void check_spheres(uint64_t seed) {
   oracle::Rule *rule = scene.def.accuracy == HG_EXACT ? exact_interact : double_interact;
   const Grid grid = make_grid(scene.def, scene.particles);
   const size_t count = scene.particles.count();
+  Particles spheres;
+  spheres.dimension = scene.particles.dimension;
+  std::vector<std::vector<int32_t>> expected;
   for (int k = 0; k < 12; k++) {
     double center[3];
     const double *a = scene.particles.center(rng.below(count));
@@ -96,11 +99,38 @@ void check_spheres(uint64_t seed) {
     const double radius =
         rng.chance(0.3) ? 0 : scene.particles.radii[rng.below(count)] * std::pow(10, rng.uniform(-2, 3));
     const hgrid::View<int32_t> ids = grid.query_sphere(center, radius);
-    require_same(scene.name.c_str(), std::vector<int32_t>(ids.begin(), ids.end()),
-                 all_in_sphere(scene.def, scene.particles, {center, radius}, rule));
+    spheres.add(center, radius);
+    expected.push_back(all_in_sphere(scene.def, scene.particles, {center, radius}, rule));
+    require_same(scene.name.c_str(), list_of(ids), expected.back());
   }
+  require_rows(scene.name, grid.query_spheres(spheres.count(), spheres.centers.data(), spheres.radii.data()), expected);
 }
 void spheres(void **) { assert_true(sweep(400, check_spheres)); }
+
+// More than one thread takes at once, in space and far outside it: the same as one by one, for any number of threads.
+void check_many_spheres(uint64_t seed) {
+  Rng rng(seed);
+  Scene scene = any_scene(rng, 1000);
+  Particles spheres;
+  spheres.dimension = scene.particles.dimension;
+  for (size_t k = 0; k < 1000; k++) {
+    const double *a = scene.particles.center(rng.below(1000)), *b = scene.particles.center(rng.below(1000));
+    const double t = rng.chance(0.9) ? rng.uniform() : rng.uniform(-3, 3);
+    double center[3];
+    for (int axis = 0; axis < scene.particles.dimension; axis++) center[axis] = a[axis] + t * (b[axis] - a[axis]);
+    spheres.add(center, scene.particles.radii[rng.below(1000)] * rng.uniform(0, 2));
+  }
+  std::vector<std::vector<int32_t>> expected;
+  for (const int32_t threads : {1, 2, 5}) {
+    scene.def.thread_count = threads;
+    const Grid grid = make_grid(scene.def, scene.particles);
+    for (size_t k = 0; threads == 1 && k < spheres.count(); k++) {
+      expected.push_back(list_of(grid.query_sphere(spheres.center(k), spheres.radii[k])));
+    }
+    require_rows(scene.name, grid.query_spheres(1000, spheres.centers.data(), spheres.radii.data()), expected);
+  }
+}
+void many_spheres(void **) { assert_true(sweep(40, check_many_spheres)); }
 
 // The order of the input and of the axes is of no matter to the set of pairs, nor is a power of two in all lengths.
 void check_symmetry(uint64_t seed) {
@@ -133,8 +163,11 @@ void symmetries(void **) { assert_true(sweep(200, check_symmetry)); }
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(orders_threads_and_repeats), cmocka_unit_test(large_sets),
-                              cmocka_unit_test(neighbour_lists), cmocka_unit_test(spheres),
+  const CMUnitTest tests[] = {cmocka_unit_test(orders_threads_and_repeats),
+                              cmocka_unit_test(large_sets),
+                              cmocka_unit_test(neighbour_lists),
+                              cmocka_unit_test(spheres),
+                              cmocka_unit_test(many_spheres),
                               cmocka_unit_test(symmetries)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

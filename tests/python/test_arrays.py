@@ -94,6 +94,8 @@ class Refused(unittest.TestCase):
         self.refuse_shape(lambda: grid.remove([[1, 2]]), "ids must have shape (n,), not (1, 2)")
         self.refuse_shape(lambda: grid.remove(1), "ids must have shape (n,), not ()")
         self.refuse_shape(lambda: grid.query_sphere((1, 2), 1), "center must have shape (3,), not (2,)")
+        self.refuse_shape(lambda: grid.query_spheres(x, 1), "radii must have shape (5,), not ()")
+        self.refuse_shape(lambda: grid.query_spheres(x[:, :2], r), "centers must have shape (n, 3), not (5, 2)")
         self.refuse_shape(lambda: hgrid.Grid(box=((0, 0), (1, 1))), "box must have shape (2, 3), not (2, 2)")
         self.refuse_shape(lambda: hgrid.Grid(periodic=(True,)), "periodic must have shape (3,), not (1,)")
         self.refuse_shape(lambda: hgrid.Grid(cell_sizes=[[1]]), "cell_sizes must have shape (level_count,), not (1, 1)")

@@ -66,6 +66,8 @@ class Failures(unittest.TestCase):
     def test_bad_sphere(self):
         self.refused(lambda: self.grid.query_sphere((0, 0, 0), -1), "-1")
         self.refused(lambda: self.grid.query_sphere((0, np.nan, 0), 1), "nan")
+        self.refused(lambda: self.grid.query_spheres([(0, 0, 0), (0, np.nan, 0)], [1, 1]), "centers[1][1]", "nan")
+        self.refused(lambda: self.grid.query_spheres([(0, 0, 0), (0, 1, 0)], [1, -2]), "radii[1]", "-2")
 
     def test_closed_grid(self):
         grid = self.grid
@@ -82,6 +84,7 @@ class Failures(unittest.TestCase):
             lambda: grid.visit_pairs(lambda pairs: None),
             grid.query_neighbors,
             lambda: grid.query_sphere((0, 0, 0), 1),
+            lambda: grid.query_spheres([(0, 0, 0)], [1]),
             lambda: grid.levels,
             lambda: grid.level_costs,
             lambda: grid.stats,

@@ -71,10 +71,17 @@ class Sphere(unittest.TestCase):
                     found = grid.query_sphere(center, radius)
                     self.assertEqual(found.dtype, np.int32)
                     self.assertEqual(found.tolist(), pairs[pairs[:, 1] == 251, 0].tolist())
+            offsets, ids = grid.query_spheres(probes, radii)
+            self.assertEqual((offsets.dtype, ids.dtype, offsets[0]), (np.int64, np.int32, 0))
+            self.assertEqual(offsets.shape, (len(probes) + 1,))
+            for k, (center, radius) in enumerate(zip(probes, radii)):
+                row = ids[offsets[k] : offsets[k + 1]]
+                self.assertEqual(row.tolist(), grid.query_sphere(center, radius).tolist())
 
     def test_touching_and_empty(self):
         with hgrid.Grid(dimension=2) as grid:
             self.assertEqual(grid.query_sphere((0, 0), 1).shape, (0,))
+            self.assertEqual([rows.tolist() for rows in grid.query_spheres([], [])], [[0], []])
             grid.insert([[3, 4]], [2])
             self.assertEqual(grid.query_sphere((0, 0), 3).tolist(), [])
             self.assertEqual(grid.query_sphere((0, 0), np.nextafter(3, 4)).tolist(), [0])

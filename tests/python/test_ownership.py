@@ -24,7 +24,9 @@ class Results(unittest.TestCase):
 
     def results(self):
         grid = self.grid
-        return [grid.query_pairs(), *grid.query_neighbors(), grid.query_sphere((0.5, 0.5, 0.5), 0.3)]
+        probe = (0.5, 0.5, 0.5)
+        spheres = grid.query_spheres([probe], [0.3])
+        return [grid.query_pairs(), *grid.query_neighbors(), grid.query_sphere(probe, 0.3), *spheres]
 
     def test_results_stay_as_they_are(self):
         first = self.results()

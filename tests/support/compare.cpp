@@ -41,6 +41,13 @@ void require_same(const char *what, const std::vector<int32_t> &got, const std::
                 std::to_string(std::distance(got.begin(), at.first)));
 }
 
+void require_rows(const std::string &what, const hgrid::Rows &got, const std::vector<std::vector<int32_t>> &expected) {
+  require(got.size() == expected.size(), what + ": the number of rows is wrong");
+  for (size_t k = 0; k < got.size(); k++) {
+    require_same((what + ", row " + std::to_string(k)).c_str(), list_of(got[k]), expected[k]);
+  }
+}
+
 Grid make_grid(const hg_grid_def &def, const Particles &particles) {
   Grid grid(def);
   grid.insert(particles.count(), particles.centers.data(), particles.radii.data());

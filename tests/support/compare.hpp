@@ -18,6 +18,10 @@ void require(bool condition, const std::string &what);
 void require_same(const char *what, const Pairs &got, const Pairs &expected);
 void require_same(const char *what, const std::vector<int32_t> &got, const std::vector<int32_t> &expected);
 
+// What the library lends, as lists that stay.
+inline std::vector<int32_t> list_of(hgrid::View<int32_t> ids) { return {ids.begin(), ids.end()}; }
+void require_rows(const std::string &what, const hgrid::Rows &got, const std::vector<std::vector<int32_t>> &expected);
+
 // The status with which the library refuses a call; HG_OK if it does not.
 template <class Call>
 hg_status status_of(Call call) {

@@ -308,6 +308,15 @@ class Grid:
         point = arrays.reals(center, "center", (self._dimension,))
         return self._query(capi.hg_query_sphere, point, float(radius))
 
+    def query_spheres(self, centers, radii):
+        """Of many spheres at once, rows (offsets, ids) in the order given: int64 of shape (k + 1,) and int32.
+
+        centers: shape (k, dimension); radii: shape (k,). What sphere n interacts with is ids[offsets[n]:offsets[n + 1]],
+        as query_sphere gives it. Much faster than one by one, and on all threads of the grid.
+        """
+        points = arrays.reals(centers, "centers", ("n", self._dimension))
+        return self._query(capi.hg_query_spheres, points, arrays.reals(radii, "radii", (len(points),)), len(points))
+
     def overlap(self, center_a, radius_a, center_b, radius_b):
         """Whether two spheres interact that the grid need not hold, by its own rule."""
         a = arrays.reals(center_a, "center_a", (self._dimension,))
