@@ -3,6 +3,7 @@
 // The functions of include/hgrid/grid.h and types.h.
 #include "bindings/c/aligned.hpp"
 #include "bindings/c/guard.hpp"
+#include "src/search/box_search.hpp"
 #include "src/search/sphere_search.hpp"
 
 #include <cstring>
@@ -214,6 +215,17 @@ hg_status hg_query_spheres(hg_grid *grid, size_t count, const double *centers, c
     const Aligned<double> x(g, "centers", centers, count, g.dimension()), r(g, "radii", radii, count);
     thread_local hg::QueryRows rows;
     hg::query_spheres(g.built(), count, x.get(), r.get(), rows);
+    *offsets = rows.offsets();
+    *ids = rows.ids();
+  });
+}
+
+hg_status hg_query_boxes(hg_grid *grid, size_t count, const double *low, const double *high, const int64_t **offsets,
+                         const int32_t **ids) {
+  return on_grid(grid, {{offsets, "offsets"}, {ids, "ids"}}, [&](Grid &g) {
+    const Aligned<double> l(g, "low", low, count, g.dimension()), h(g, "high", high, count, g.dimension());
+    thread_local hg::QueryRows rows;
+    hg::query_boxes(g.built(), count, l.get(), h.get(), rows);
     *offsets = rows.offsets();
     *ids = rows.ids();
   });

@@ -13,7 +13,7 @@ module hgrid_bulk
     implicit none
     private
 
-    public :: c_hg_query_spheres
+    public :: c_hg_query_boxes, c_hg_query_spheres
     public :: hg_bulk
 
     !> A grid that answers them.
@@ -21,8 +21,11 @@ module hgrid_bulk
     contains
         private
         procedure :: query_spheres_real64, query_spheres_real32
+        procedure :: query_boxes_real64, query_boxes_real32
         !> query_spheres(centers, radii, offsets, ids): the particles that each sphere overlaps
         generic, public :: query_spheres => query_spheres_real64, query_spheres_real32
+        !> query_boxes(low, high, offsets, ids): the particles that each aligned box meets
+        generic, public :: query_boxes => query_boxes_real64, query_boxes_real32
     end type hg_bulk
 
     interface
@@ -41,6 +44,20 @@ module hgrid_bulk
             type(c_ptr), intent(out) :: ids
             integer(c_int32_t) :: status
         end function c_hg_query_spheres
+
+        function c_hg_query_boxes(grid, count, low, high, offsets, ids) &
+            bind(c, name='hg_query_boxes') result(status)
+            import
+            type(c_ptr), value :: grid
+            integer(c_size_t), value :: count
+            !> (dimension, count)
+            real(c_double), intent(in) :: low(*), high(*)
+            !> int64_t[count + 1], borrowed
+            type(c_ptr), intent(out) :: offsets
+            !> int32_t[offsets[count]], borrowed
+            type(c_ptr), intent(out) :: ids
+            integer(c_int32_t) :: status
+        end function c_hg_query_boxes
     end interface
 
     !> Where nothing is found.
@@ -93,6 +110,46 @@ contains
         call self%query_spheres_real64(real(centers, c_double), real(radii, c_double), offsets, &
             ids, err)
     end subroutine query_spheres_real32
+
+    !> The particles that aligned boxes meet; borrowed until this thread's next query_boxes.
+    subroutine query_boxes_real64(self, low, high, offsets, ids, err)
+        class(hg_bulk), intent(in) :: self
+        !> Corners (dimension, n), low <= high, may be infinite
+        real(c_double), intent(in), contiguous :: low(:, :), high(:, :)
+        !> (n + 1), starts with 0; memory of the library
+        integer(c_int64_t), pointer, intent(out) :: offsets(:)
+        !> (offsets(n + 1)); memory of the library
+        integer(c_int32_t), pointer, intent(out) :: ids(:)
+        type(hg_error), intent(out), optional :: err
+
+        type(c_ptr) :: offset_memory, id_memory
+        integer(c_int32_t) :: status
+
+        nullify (offsets, ids)
+        if (misfit(self, 'query_boxes: low', shape(low), err)) return
+        if (any(shape(low) /= shape(high))) then
+            call raise(HG_ERR_ARGUMENT, 'query_boxes: low'//shape_text(shape(low))// &
+                ' and high'//shape_text(shape(high))//' differ in shape', err)
+            return
+        end if
+        status = c_hg_query_boxes(handle_of(self), size(low, 2, kind=c_size_t), low, high, &
+            offset_memory, id_memory)
+        if (status == HG_OK) call take_rows(offset_memory, id_memory, size(low, 2), offsets, ids)
+        call conclude(self, status, 'query_boxes', err)
+    end subroutine query_boxes_real64
+
+    subroutine query_boxes_real32(self, low, high, offsets, ids, err)
+        class(hg_bulk), intent(in) :: self
+        !> Corners (dimension, n), low <= high, may be infinite
+        real(c_float), intent(in) :: low(:, :), high(:, :)
+        !> (n + 1), starts with 0; memory of the library
+        integer(c_int64_t), pointer, intent(out) :: offsets(:)
+        !> (offsets(n + 1)); memory of the library
+        integer(c_int32_t), pointer, intent(out) :: ids(:)
+        type(hg_error), intent(out), optional :: err
+
+        call self%query_boxes_real64(real(low, c_double), real(high, c_double), offsets, ids, err)
+    end subroutine query_boxes_real32
 
     !> True, and the failure is reported, if points do not have the dimension of a created grid.
     function misfit(self, what, extents, err) result(wrong)

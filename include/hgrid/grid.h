@@ -161,6 +161,17 @@ HG_API hg_status hg_query_sphere(hg_grid *grid, const double *center, double rad
 HG_API hg_status hg_query_spheres(hg_grid *grid, size_t count, const double *centers, const double *radii,
                                   const int64_t **offsets, const int32_t **ids);
 
+/* Particles that axis-aligned boxes meet, in rows as those of hg_query_spheres: the squared distance from the centre to
+ * the box is below (radius + margin)^2, or equal to it where touching counts, decided exactly whatever the accuracy and
+ * the interaction of the grid; a centre in the closed box counts whatever its radius. low, high: [count][dimension],
+ * low <= high, may be infinite. On periodic axes any image counts, each id stands once. On the threads of the grid. All
+ * or nothing. Borrowed until this thread's next hg_query_boxes on any grid, kept as the rows of hg_query_spheres.
+ * Errors: HG_ERR_NULL; HG_ERR_ARGUMENT (with the index of the box): low > high, NaN, or more than 2^20 box lengths
+ * outside a periodic axis that the box does not cover; HG_ERR_STATE if the cell is tilted; HG_ERR_MEMORY; HG_ERR_LIMIT
+ * if count is above 2^31 - 1. Complexity: O(cells met + particles met + hits log hits) for each. */
+HG_API hg_status hg_query_boxes(hg_grid *grid, size_t count, const double *low, const double *high,
+                                const int64_t **offsets, const int32_t **ids);
+
 /* Whether two spheres interact that the grid need not hold, by its own rule as in hg_query_sphere: *overlaps is 1 or 0.
  * Errors: HG_ERR_NULL, HG_ERR_ARGUMENT; HG_ERR_LIMIT if they reach across too many tilted cells. */
 HG_API hg_status hg_overlap(hg_grid *grid, const double *center_a, double radius_a, const double *center_b,

@@ -24,6 +24,13 @@ inline double from_bits(uint64_t bits) {
 // -0.0 is not negative. NaN may be either.
 inline bool is_negative(double x) { return bits_of(x) > uint64_t{1} << 63; }
 
+// Integers that order as the doubles do, infinite ones too; both zeros are one.
+inline int64_t order_of(double x) {
+  const uint64_t bits = bits_of(x), sign = uint64_t{1} << 63;
+  const auto size = static_cast<int64_t>(bits & ~sign);
+  return (bits & sign) != 0 ? -size : size;
+}
+
 // Of a and b, both >= 0.
 inline double larger_of(double a, double b) { return bits_of(a) > bits_of(b) ? a : b; }
 

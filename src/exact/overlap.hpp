@@ -35,6 +35,7 @@ class Overlap {
 
   int32_t accuracy() const { return accuracy_; }
   const Interaction &interaction() const { return interaction_; }
+  const Domain &domain() const { return domain_; }
   // An image that near is the only one, as doubles reckon distances.
   double surely_nearest() const { return 0.5 * short_.shortest * (1 - 0x1p-20) - rounding_; }
 

@@ -317,6 +317,17 @@ class Grid:
         points = arrays.reals(centers, "centers", ("n", self._dimension))
         return self._query(capi.hg_query_spheres, points, arrays.reals(radii, "radii", (len(points),)), len(points))
 
+    def query_boxes(self, low, high):
+        """Of many axis-aligned boxes, rows (offsets, ids) as those of query_spheres: the particles that meet them.
+
+        low, high: the corners, shape (k, dimension); they may be infinite. Decided exactly: the box is nearer to the centre
+        than radius + margin, or the centre lies in it. On periodic axes any image counts; not in a tilted cell.
+        """
+        shape = ("n", self._dimension)
+        corner = arrays.reals(low, "low", shape)
+        opposite = arrays.reals(high, "high", corner.shape)
+        return self._query(capi.hg_query_boxes, corner, opposite, len(corner))
+
     def overlap(self, center_a, radius_a, center_b, radius_b):
         """Whether two spheres interact that the grid need not hold, by its own rule."""
         a = arrays.reals(center_a, "center_a", (self._dimension,))
