@@ -5,6 +5,7 @@
 #include "bindings/c/guard.hpp"
 #include "src/search/box_search.hpp"
 #include "src/search/sphere_search.hpp"
+#include "src/search/triangle_search.hpp"
 
 #include <cstring>
 
@@ -226,6 +227,17 @@ hg_status hg_query_boxes(hg_grid *grid, size_t count, const double *low, const d
     const Aligned<double> l(g, "low", low, count, g.dimension()), h(g, "high", high, count, g.dimension());
     thread_local hg::QueryRows rows;
     hg::query_boxes(g.built(), count, l.get(), h.get(), rows);
+    *offsets = rows.offsets();
+    *ids = rows.ids();
+  });
+}
+
+hg_status hg_query_triangles(hg_grid *grid, size_t count, const double *corners, const int64_t **offsets,
+                             const int32_t **ids) {
+  return on_grid(grid, {{offsets, "offsets"}, {ids, "ids"}}, [&](Grid &g) {
+    const Aligned<double> x(g, "corners", corners, count, 9);
+    thread_local hg::QueryRows rows;
+    hg::query_triangles(g.built(), count, x.get(), rows);
     *offsets = rows.offsets();
     *ids = rows.ids();
   });

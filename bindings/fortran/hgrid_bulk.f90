@@ -13,7 +13,7 @@ module hgrid_bulk
     implicit none
     private
 
-    public :: c_hg_query_boxes, c_hg_query_spheres
+    public :: c_hg_query_boxes, c_hg_query_spheres, c_hg_query_triangles
     public :: hg_bulk
 
     !> A grid that answers them.
@@ -22,10 +22,13 @@ module hgrid_bulk
         private
         procedure :: query_spheres_real64, query_spheres_real32
         procedure :: query_boxes_real64, query_boxes_real32
+        procedure :: query_triangles_real64, query_triangles_real32
         !> query_spheres(centers, radii, offsets, ids): the particles that each sphere overlaps
         generic, public :: query_spheres => query_spheres_real64, query_spheres_real32
         !> query_boxes(low, high, offsets, ids): the particles that each aligned box meets
         generic, public :: query_boxes => query_boxes_real64, query_boxes_real32
+        !> query_triangles(corners, offsets, ids): the particles that each triangle meets
+        generic, public :: query_triangles => query_triangles_real64, query_triangles_real32
     end type hg_bulk
 
     interface
@@ -58,6 +61,20 @@ module hgrid_bulk
             type(c_ptr), intent(out) :: ids
             integer(c_int32_t) :: status
         end function c_hg_query_boxes
+
+        function c_hg_query_triangles(grid, count, corners, offsets, ids) &
+            bind(c, name='hg_query_triangles') result(status)
+            import
+            type(c_ptr), value :: grid
+            integer(c_size_t), value :: count
+            !> (3, 3 corners, count)
+            real(c_double), intent(in) :: corners(*)
+            !> int64_t[count + 1], borrowed
+            type(c_ptr), intent(out) :: offsets
+            !> int32_t[offsets[count]], borrowed
+            type(c_ptr), intent(out) :: ids
+            integer(c_int32_t) :: status
+        end function c_hg_query_triangles
     end interface
 
     !> Where nothing is found.
@@ -150,6 +167,48 @@ contains
 
         call self%query_boxes_real64(real(low, c_double), real(high, c_double), offsets, ids, err)
     end subroutine query_boxes_real32
+
+    !> The particles that triangles in space meet; borrowed until this thread's next
+    !> query_triangles.
+    subroutine query_triangles_real64(self, corners, offsets, ids, err)
+        class(hg_bulk), intent(in) :: self
+        !> (3, 3 corners, n)
+        real(c_double), intent(in), contiguous :: corners(:, :, :)
+        !> (n + 1), starts with 0; memory of the library
+        integer(c_int64_t), pointer, intent(out) :: offsets(:)
+        !> (offsets(n + 1)); memory of the library
+        integer(c_int32_t), pointer, intent(out) :: ids(:)
+        type(hg_error), intent(out), optional :: err
+
+        type(c_ptr) :: offset_memory, id_memory
+        integer(c_int32_t) :: status
+
+        nullify (offsets, ids)
+        if (size(corners, 1) /= 3 .or. size(corners, 2) /= 3) then
+            call raise(HG_ERR_ARGUMENT, 'query_triangles: corners'//shape_text(shape(corners))// &
+                ' are not corners(3,3,n)', err)
+            return
+        end if
+        status = c_hg_query_triangles(handle_of(self), size(corners, 3, kind=c_size_t), corners, &
+            offset_memory, id_memory)
+        if (status == HG_OK) then
+            call take_rows(offset_memory, id_memory, size(corners, 3), offsets, ids)
+        end if
+        call conclude(self, status, 'query_triangles', err)
+    end subroutine query_triangles_real64
+
+    subroutine query_triangles_real32(self, corners, offsets, ids, err)
+        class(hg_bulk), intent(in) :: self
+        !> (3, 3 corners, n)
+        real(c_float), intent(in) :: corners(:, :, :)
+        !> (n + 1), starts with 0; memory of the library
+        integer(c_int64_t), pointer, intent(out) :: offsets(:)
+        !> (offsets(n + 1)); memory of the library
+        integer(c_int32_t), pointer, intent(out) :: ids(:)
+        type(hg_error), intent(out), optional :: err
+
+        call self%query_triangles_real64(real(corners, c_double), offsets, ids, err)
+    end subroutine query_triangles_real32
 
     !> True, and the failure is reported, if points do not have the dimension of a created grid.
     function misfit(self, what, extents, err) result(wrong)

@@ -172,6 +172,19 @@ HG_API hg_status hg_query_spheres(hg_grid *grid, size_t count, const double *cen
 HG_API hg_status hg_query_boxes(hg_grid *grid, size_t count, const double *low, const double *high,
                                 const int64_t **offsets, const int32_t **ids);
 
+/* Particles that triangles of a wall mesh meet, in three dimensions, in rows as those of hg_query_spheres: the distance
+ * from the centre to the triangle is below radius + margin (or equal where touching counts), whatever the interaction
+ * of the grid. Nothing is missed; particles beyond that by less than 2^-40 of the sum of reach and largest coordinate
+ * (of corners and centre) may come, too. corners: [count][3 corners][3], finite; any triangle will do, also one that is
+ * a segment or a point. On periodic axes any image counts, each id stands once. On the threads of the grid. All or
+ * nothing. Borrowed until this thread's next hg_query_triangles on any grid, kept as the rows of hg_query_spheres.
+ * Errors: HG_ERR_NULL; HG_ERR_ARGUMENT (with the index of the triangle): a corner that is not finite, or more than 2^20
+ * box lengths outside; HG_ERR_STATE in two dimensions or a tilted cell; HG_ERR_MEMORY; HG_ERR_LIMIT if one goes across
+ * more than 2^20 periodic cells, or count is above 2^31 - 1. Complexity: as hg_query_boxes, of boxes that follow large
+ * triangles. */
+HG_API hg_status hg_query_triangles(hg_grid *grid, size_t count, const double *corners, const int64_t **offsets,
+                                    const int32_t **ids);
+
 /* Whether two spheres interact that the grid need not hold, by its own rule as in hg_query_sphere: *overlaps is 1 or 0.
  * Errors: HG_ERR_NULL, HG_ERR_ARGUMENT; HG_ERR_LIMIT if they reach across too many tilted cells. */
 HG_API hg_status hg_overlap(hg_grid *grid, const double *center_a, double radius_a, const double *center_b,

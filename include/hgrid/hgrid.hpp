@@ -227,6 +227,9 @@ class Grid {
   Rows query_boxes(size_t count, const double *low, const double *high) const {
     return detail::lent_rows(count, hg_query_boxes, get(), count, low, high);
   }
+  Rows query_triangles(size_t count, const double *corners) const {
+    return detail::lent_rows(count, hg_query_triangles, get(), count, corners);
+  }
   View<int32_t> query_order() const { return detail::lent<int32_t>(hg_query_order, get()); }
   bool overlap(const double *center_a, double radius_a, const double *center_b, double radius_b) const {
     int32_t overlaps = 0;

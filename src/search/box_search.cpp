@@ -5,10 +5,8 @@
 #include "src/base/error.hpp"
 #include "src/base/ordered_bits.hpp"
 #include "src/exact/box_overlap.hpp"
-#include "src/search/level_ranges.hpp"
-#include "src/space/search_box.hpp"
+#include "src/search/near_box.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -36,18 +34,13 @@ void check_box(const Domain &domain, const AlignedBox &box, size_t k) {
   }
 }
 
-// Ends of a box on one axis as places, and its images there that may meet particles: numbers of box lengths.
-struct AxisRange {
-  double low, high;
-  EdgeRange images{0, 0};
-};
-
 class ManyBoxes final : public RowSource {
  public:
   ManyBoxes(const BuiltGrid &grid, size_t count, const double *low, const double *high)
       : grid_(grid),
         index_(grid.index),
         domain_(grid.index.domain),
+        near_(grid),
         overlap_(grid.overlap.interaction(), grid.overlap.domain()),
         dimension_(static_cast<size_t>(domain_.dimension)),
         count_(count),
@@ -63,66 +56,28 @@ class ManyBoxes final : public RowSource {
   }
   size_t find(size_t k, Buffer<int32_t> &ids, size_t count) const override {
     const AlignedBox wanted = box(k);
-    for (size_t axis = 0; axis < dimension_; axis++) {
+    double low[3], high[3];
+    for (int axis = 0; axis < domain_.dimension; axis++) {
       if (is_at_infinity(wanted.low[axis], wanted.high[axis])) return count;
+      const bool all = wanted.covers(domain_, axis);
+      low[axis] = all ? -kInfinity : wanted.low[axis];
+      high[axis] = all ? kInfinity : wanted.high[axis];
     }
     bool may_repeat = false;
     size_t found = count;
     for (int h = 0; h < index_.level_count; h++) {
-      if (!index_.levels[h].is_empty()) found = search_level(h, wanted, ids, found, may_repeat);
+      if (index_.levels[h].is_empty()) continue;
+      const double reach = index_.levels[h].largest_radius + index_.interaction.margin;
+      const int images = near_.visit(h, {low, high}, reach, [&](uint32_t begin, uint32_t end, const Shift &) {
+        found = test(wanted, begin, end, ids, found);
+      });
+      may_repeat = may_repeat || images > 1;
     }
     return ascend_row(ids, count, found, may_repeat);
   }
 
  private:
   AlignedBox box(size_t k) const { return {low_ + k * dimension_, high_ + k * dimension_}; }
-
-  size_t search_level(int h, const AlignedBox &box, Buffer<int32_t> &ids, size_t count, bool &may_repeat) const {
-    const double reach = (index_.levels[h].largest_radius + index_.interaction.margin) * (1 + 0x1p-40);
-    AxisRange range[3] = {};
-    for (int axis = 0; axis < domain_.dimension; axis++) {
-      range[axis] = range_of(box, axis, reach);
-      if (!(range[axis].low <= range[axis].high)) return count;
-    }
-    const auto images = [&](int axis, auto &&next) {
-      for (double n = range[axis].images.first; n <= range[axis].images.last; n++) next(n * domain_.length[axis]);
-    };
-    int visits = 0;
-    images(2, [&](double z) {
-      images(1, [&](double y) {
-        images(0, [&](double x) {
-          const double moved[3] = {x, y, z};
-          PlaceBox places;
-          for (int axis = 0; axis < domain_.dimension; axis++) {
-            places.low[axis] = range[axis].low + moved[axis];
-            places.high[axis] = range[axis].high + moved[axis];
-          }
-          may_repeat = may_repeat || visits++ > 0;
-          visit_ranges(index_, h, places,
-                       [&](uint32_t begin, uint32_t end) { count = test(box, begin, end, ids, count); });
-        });
-      });
-    });
-    return count;
-  }
-
-  // Enlarged by the reach. On an open axis the box need not be wider than all particles; on a periodic one it need not
-  // reach farther than to the nearest image of each, but for particles that have moved within the skin since the index
-  // was built.
-  AxisRange range_of(const AlignedBox &box, int axis, double reach) const {
-    if (!domain_.periodic[axis]) {
-      const Interval &all = grid_.store.summary().center[axis];
-      return {std::max(box.low[axis], all.least) - reach, std::min(box.high[axis], all.greatest) + reach};
-    }
-    const double length = domain_.length[axis], extent = index_.map.extent[axis] / index_.map.scale;
-    if (box.covers(domain_, axis)) return {-reach, extent + reach};
-    const double skin = index_.interaction.margin - grid_.overlap.interaction().margin;
-    const double around = std::min(reach, 0.5 * length * (1 + 0x1p-20)) + skin + place_slack(domain_, axis);
-    const double above = box.low[axis] - domain_.box_min[axis], low = above - boxes_above(above, length) * length;
-    AxisRange range{low - around, low + (box.high[axis] - box.low[axis]) + around};
-    range.images = EdgeRange::within(-range.high, extent - range.low, length);
-    return range;
-  }
 
   size_t test(const AlignedBox &box, uint32_t begin, uint32_t end, Buffer<int32_t> &ids, size_t count) const {
     ids.grow(count + (end - begin));
@@ -136,6 +91,7 @@ class ManyBoxes final : public RowSource {
   const BuiltGrid &grid_;
   const Index &index_;
   const Domain &domain_;
+  NearBox near_;
   BoxOverlap overlap_;
   size_t dimension_, count_;
   const double *low_, *high_;

@@ -16,6 +16,11 @@ struct BuiltGrid {
   const Index &index;
   const StoredCandidates &candidates;  // of that index; particles may have moved since within the skin
   int threads;
+
+  // How many edges of the cell are taken off a particle of the index to where the search sees it.
+  Shift boxes(uint32_t particle, uint32_t slot) const {
+    return candidates.moved() ? candidates.boxes(particle, store) : index.domain.boxes(store.center(slot));
+  }
 };
 
 }  // namespace hg

@@ -169,10 +169,9 @@ class SphereSearch {
   }
 
   bool holds(uint32_t particle, uint32_t slot, const Shift &shift, const Found &found) const {
-    const Shift boxes = grid_.candidates.moved() ? grid_.candidates.boxes(particle, grid_.store)
-                                                 : index_.domain.boxes(grid_.store.center(slot));
     int64_t exact = 0;
-    return grid_.overlap.holds(found.sphere, grid_.store.ball(slot), shift + boxes - found.boxes, exact);
+    const Shift between = shift + grid_.boxes(particle, slot) - found.boxes;
+    return grid_.overlap.holds(found.sphere, grid_.store.ball(slot), between, exact);
   }
 
   // In quanta. Floats hold their squares; coordinates that wrap their differences.

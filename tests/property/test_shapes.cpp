@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes among particles of all kinds of scenes against rational numbers: from points to more than all space, touching,
-// across periodic faces and far outside them, while particles move within a skin.
+// Boxes and triangles among particles of all kinds of scenes against rational numbers: from points to more than all
+// space, touching, across periodic faces and far outside them, while particles move within a skin.
 #include "oracle/shapes.hpp"
 #include "tests/support/compare.hpp"
 #include "tests/support/scenes.hpp"
@@ -91,6 +91,86 @@ void check_moving(uint64_t seed, Check &&check) {
   }
 }
 
+// Corners around a particle at the distance where they touch, or anywhere; some triangles are needles, segments or
+// points, some lie in the plane that touches the particle.
+void draw_triangle(Rng &rng, const Scene &scene, double *corners) {
+  const size_t i = rng.below(scene.particles.count());
+  const double *x = scene.particles.center(i);
+  const double reach = scene.particles.radii[i] + scene.def.margin;
+  const double size =
+      (reach > 0 ? reach : largest_reach(scene.def, scene.particles)) * std::pow(10, rng.uniform(-2, 1.5));
+  const uint64_t kind = rng.below(6);
+  for (int k = 0; k < 9; k++) corners[k] = x[k % 3] + size * rng.uniform(-1, 1);
+  const uint64_t axis = rng.below(3), corner = rng.below(3);
+  const double side = rng.chance(0.5) ? reach : -reach;
+  for (uint64_t k = 0; k < 3 && kind == 0; k++) corners[3 * k + axis] = x[axis] + side;
+  if (kind == 1) {
+    std::copy_n(x, 3, corners + 3 * corner);
+    corners[3 * corner + axis] += side;
+  }
+  if (kind == 2) std::copy_n(corners, 3, corners + 3);
+  if (kind == 3) std::copy_n(corners, 3, std::copy_n(corners, 3, corners + 3));
+  if (kind == 4) {
+    const double t = rng.uniform(-0.5, 1.5), off = size * std::pow(2, rng.uniform(-60, -1));
+    for (int k = 0; k < 3; k++)
+      corners[6 + k] = corners[k] + t * (corners[3 + k] - corners[k]) + off * rng.uniform(-1, 1);
+  }
+  for (int k = 0; k < 3; k++) {
+    if (scene.def.periodic[k] == 0 || rng.chance(0.7)) continue;
+    const double moved = (scene.def.box_max[k] - scene.def.box_min[k]) * rng.integer(-1000, 1000);
+    for (int c = 0; c < 3; c++) corners[3 * c + k] += moved;
+  }
+}
+
+// So that the oracle need not look at very many.
+bool has_few_images(const Scene &scene, const double *corners, double reach) {
+  double images = 1;
+  for (int axis = 0; axis < 3; axis++) {
+    if (scene.def.periodic[axis] == 0) continue;
+    const auto [low, high] = std::minmax({corners[axis], corners[3 + axis], corners[6 + axis]});
+    images *= 2 + (high - low + 2 * reach) / (scene.def.box_max[axis] - scene.def.box_min[axis]);
+  }
+  return images < 200;
+}
+
+void check_triangle_row(const Scene &scene, const double *corners, const std::vector<int32_t> &ids) {
+  require(std::is_sorted(ids.begin(), ids.end()) && std::adjacent_find(ids.begin(), ids.end()) == ids.end(),
+          scene.name + ": a row of a triangle does not ascend");
+  for (size_t n = 0; n < scene.particles.count(); n++) {
+    const oracle::Sphere particle{scene.particles.center(n), scene.particles.radii[n]};
+    const double reach = particle.radius + scene.def.margin;
+    double largest = 0;
+    for (int k = 0; k < 9; k++) largest = std::max(largest, std::fabs(corners[k]));
+    for (int k = 0; k < 3; k++) largest = std::max(largest, std::fabs(particle.center[k]));
+    const bool found = std::binary_search(ids.begin(), ids.end(), static_cast<int32_t>(n) + scene.def.index_base);
+    const oracle::Meeting truth = triangle_meeting(scene.def, corners, particle, 0x1p-40 * (reach + largest));
+    const bool missed =
+        truth == oracle::Meeting::kMeeting || (truth == oracle::Meeting::kTouching && scene.def.touching);
+    require(found || !missed, scene.name + ": a triangle misses particle " + std::to_string(n));
+    require(!found || truth != oracle::Meeting::kNone, scene.name + ": a triangle meets particle " + std::to_string(n));
+  }
+}
+
+void check_triangles(Rng &rng, const Scene &scene, const Grid &grid) {
+  const size_t count = 1 + rng.below(8);
+  std::vector<double> corners(9 * count);
+  for (size_t k = 0; k < count; k++) draw_triangle(rng, scene, &corners[9 * k]);
+  if (scene.def.dimension == 2) {
+    require(status_of([&] { grid.query_triangles(count, corners.data()); }) == HG_ERR_STATE, "triangles in a plane");
+    return;
+  }
+  const hgrid::Rows rows = grid.query_triangles(count, corners.data());
+  require(rows.size() == count, scene.name + ": the number of rows of triangles");
+  for (size_t k = 0; k < count; k++) {
+    if (!has_few_images(scene, &corners[9 * k], largest_reach(scene.def, scene.particles))) continue;
+    check_triangle_row(scene, &corners[9 * k], list_of(rows[k]));
+  }
+}
+
+void triangles(void **) {
+  assert_true(sweep(400, [](uint64_t seed) { check_moving(seed, check_triangles); }));
+}
+
 void boxes(void **) {
   assert_true(sweep(600, [](uint64_t seed) { check_moving(seed, check_boxes); }));
 }
@@ -98,6 +178,6 @@ void boxes(void **) {
 }  // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(boxes)};
+  const CMUnitTest tests[] = {cmocka_unit_test(boxes), cmocka_unit_test(triangles)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -328,6 +328,16 @@ class Grid:
         opposite = arrays.reals(high, "high", corner.shape)
         return self._query(capi.hg_query_boxes, corner, opposite, len(corner))
 
+    def query_triangles(self, corners):
+        """Of many triangles, rows (offsets, ids) as those of query_spheres: the particles that meet them.
+
+        corners: shape (k, 3, 3), the second axis counting corners. A particle counts if the triangle is nearer to its centre
+        than radius + margin. None is missed; some may come that are farther by 2^-40 of reach and coordinates. In three
+        dimensions only; on periodic axes any image counts; not in a tilted cell.
+        """
+        triangles = arrays.reals(corners, "corners", ("n", 3, 3))
+        return self._query(capi.hg_query_triangles, triangles, len(triangles))
+
     def overlap(self, center_a, radius_a, center_b, radius_b):
         """Whether two spheres interact that the grid need not hold, by its own rule."""
         a = arrays.reals(center_a, "center_a", (self._dimension,))
