@@ -58,15 +58,9 @@ Triangle::Triangle(const double *corners) {
   const double along = dot(apex, axis_[0]);
   apex_along_ = std::clamp(along, 0.0, length_);
   subtract(apex, axis_[0], along);
-  const double across = length_of(apex);
-  if (!(across > 0)) return;  // a segment
-  // Of a needle rounding may have left anything: once more, and if most of it goes it was no more than rounding.
-  for (double &x : apex) x /= across;
-  subtract(apex, axis_[0], dot(apex, axis_[0]));
-  const double left = length_of(apex);
-  if (!(left > 0.5)) return;
-  for (int axis = 0; axis < 3; axis++) axis_[1][axis] = apex[axis] / left;
-  apex_across_ = across;
+  apex_across_ = length_of(apex);
+  // Of a needle rounding leaves any direction, not even across; but then it matters little.
+  for (int axis = 0; axis < 3 && apex_across_ > 0; axis++) axis_[1][axis] = apex[axis] / apex_across_;
 }
 
 double Triangle::distance(const double *point) const {

@@ -70,6 +70,16 @@ void spheres_find_rows() {
   require(grid.query_spheres(0, nullptr, nullptr).size() == 0, "no spheres have rows");
 }
 
+void shapes_find_rows() {
+  hgrid::Grid grid = chain();
+  const double low[3] = {0.9, 0, 0}, high[3] = {1.1, 0, 0};
+  const double corners[9] = {1.5, -1, -1, 1.5, 1, -1, 1.5, 0, 1};
+  const hgrid::Rows boxes = grid.query_boxes(1, low, high), triangles = grid.query_triangles(1, corners);
+  require(boxes.size() == 1 && triangles.size() == 1, "rows are missing");
+  require(std::count(boxes[0].begin(), boxes[0].end(), 1) == 1, "a box does not meet the particle inside");
+  require_same("ids", std::vector<int32_t>(triangles[0].begin(), triangles[0].end()), {1, 2});
+}
+
 void levels_and_counters() {
   hgrid::Grid grid = chain();
   grid.build();
@@ -240,6 +250,8 @@ void failures_tell_status_and_text() {
   require_error(HG_ERR_ARGUMENT, "list = 2", [&] { grid.query_neighbors(2); });
   require_error(HG_ERR_ARGUMENT, "center", [&] { grid.query_sphere(nan, 1); });
   require_error(HG_ERR_ARGUMENT, "centers[0][1]", [&] { grid.query_spheres(1, nan, kRadii); });
+  require_error(HG_ERR_NULL, "low", [&] { grid.query_boxes(1, nullptr, kCenters); });
+  require_error(HG_ERR_NULL, "corners", [&] { grid.query_triangles(1, nullptr); });
   require_error(HG_ERR_NULL, "visit", [&] { grid.visit_pairs(nullptr, nullptr); });
   require_error(HG_ERR_NULL, "allocate", [] {
     const hg_allocator incomplete{};
@@ -257,6 +269,7 @@ int main() {
                               cmocka_unit_test(run<neighbors_are_rows>),
                               cmocka_unit_test(run<a_sphere_finds_ids>),
                               cmocka_unit_test(run<spheres_find_rows>),
+                              cmocka_unit_test(run<shapes_find_rows>),
                               cmocka_unit_test(run<levels_and_counters>),
                               cmocka_unit_test(run<particles_come_move_and_go>),
                               cmocka_unit_test(run<a_box_may_change>),

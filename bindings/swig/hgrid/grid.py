@@ -325,7 +325,8 @@ class Grid:
         """
         shape = ("n", self._dimension)
         corner = arrays.reals(low, "low", shape)
-        opposite = arrays.reals(high, "high", corner.shape)
+        opposite = arrays.reals(high, "high", shape)
+        arrays.check_shape(opposite, "high", corner.shape)
         return self._query(capi.hg_query_boxes, corner, opposite, len(corner))
 
     def query_triangles(self, corners):
