@@ -137,7 +137,7 @@ class Session {
           ask_spheres();
           break;
         case 9:
-          look_inside();
+          bytes_.below(2) == 0 ? look_inside() : ask_shapes();
           break;
         case 10:
           if (bytes_.below(4) == 0) {
@@ -337,6 +337,20 @@ class Session {
         expect(std::equal(ids.begin(), ids.end(), rows[row].begin(), rows[row].end()), "spheres at once differ");
       }
     });
+  }
+
+  // Boxes of any numbers, and triangles of others: what is taken is checked as far as the model can.
+  void ask_shapes() {
+    if (def_.tilt[0] != 0 || def_.tilt[1] != 0 || def_.tilt[2] != 0) return;
+    double low[3], high[3], corners[9];
+    for (int k = 0; k < 3; k++) {
+      low[k] = bytes_.number();
+      high[k] = bytes_.below(4) == 0 ? low[k] : bytes_.number();
+    }
+    for (double &x : corners) x = bytes_.number();
+    takes([&] { model_.check_box(low, high, hgtest::list_of(grid_.query_boxes(1, low, high)[0])); });
+    if (def_.dimension == 3)
+      takes([&] { model_.check_triangle(corners, hgtest::list_of(grid_.query_triangles(1, corners)[0])); });
   }
 
   void ask_sphere(const double *center, double radius) {

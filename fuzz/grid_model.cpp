@@ -4,6 +4,7 @@
 #include "fuzz/grid_model.hpp"
 
 #include "fuzz/expect.hpp"
+#include "oracle/shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -174,10 +175,45 @@ void GridModel::check_pairs(Pairs pairs) const {
   }
 }
 
+void GridModel::check_row(const std::vector<int32_t> &ids) const {
+  expect(std::is_sorted(ids.begin(), ids.end()), "ids of a row do not ascend");
+  expect(std::adjacent_find(ids.begin(), ids.end()) == ids.end(), "an id of a row comes twice");
+  expect(std::includes(ids_.begin(), ids_.end(), ids.begin(), ids.end()), "a row has an unknown particle");
+}
+
+void GridModel::check_box(const double *low, const double *high, const std::vector<int32_t> &ids) const {
+  check_row(ids);
+  for (size_t row = 0; row < ids_.size(); row++) {
+    const bool found = std::binary_search(ids.begin(), ids.end(), ids_[row]);
+    const bool wanted = oracle::box_meets(def_, low, high, {particles_.center(row), particles_.radii[row]});
+    expect(found == wanted, found ? "a box meets a particle too many" : "a box misses a particle");
+  }
+}
+
+// Where distances are normal numbers and few images are in reach.
+void GridModel::check_triangle(const double *corners, const std::vector<int32_t> &ids) const {
+  check_row(ids);
+  for (size_t row = 0; row < ids_.size(); row++) {
+    const Sphere particle = {particles_.center(row), particles_.radii[row]};
+    const double reach = particle.radius + def_.margin;
+    double largest = 0, images = 1;
+    for (int k = 0; k < 9; k++) largest = std::fmax(largest, std::fabs(corners[k]));
+    for (int k = 0; k < 3; k++) {
+      largest = std::fmax(largest, std::fabs(particle.center[k]));
+      const auto [low, high] = std::minmax({corners[k], corners[3 + k], corners[6 + k]});
+      if (def_.periodic[k] != 0) images *= 2 + (high - low + 2 * reach) / length_of(def_, k);
+    }
+    if (!(images < 100 && largest < 1e150 && reach < 1e150 && reach + largest > 1e-290)) continue;
+    const oracle::Meeting truth = oracle::triangle_meeting(def_, corners, particle, 0x1p-40 * (reach + largest));
+    const bool found = std::binary_search(ids.begin(), ids.end(), ids_[row]);
+    expect(found || truth < oracle::Meeting::kTouching || (truth == oracle::Meeting::kTouching && def_.touching == 0),
+           "a triangle misses a particle");
+    expect(!found || truth != oracle::Meeting::kNone, "a triangle meets a particle too many");
+  }
+}
+
 void GridModel::check_sphere(const Sphere &sphere, const int32_t *ids, size_t count) const {
-  expect(std::is_sorted(ids, ids + count), "ids of a sphere do not ascend");
-  expect(std::adjacent_find(ids, ids + count) == ids + count, "an id of a sphere comes twice");
-  expect(std::includes(ids_.begin(), ids_.end(), ids, ids + count), "a sphere meets an unknown particle");
+  check_row({ids, ids + count});
   particles::ParticleSet with_sphere = particles_;
   with_sphere.add(sphere.center, sphere.radius);
   const Promise held = promise(with_sphere);

@@ -38,11 +38,15 @@ class GridModel {
   void check_pairs(oracle::Pairs pairs) const;
   // The same for the partners of a sphere.
   void check_sphere(const oracle::Sphere &sphere, const int32_t *ids, size_t count) const;
+  // And those that meet shapes, in a cell that is not tilted.
+  void check_box(const double *low, const double *high, const std::vector<int32_t> &ids) const;
+  void check_triangle(const double *corners, const std::vector<int32_t> &ids) const;
 
  private:
   enum class Promise { kExact, kDouble, kFloat, kSane };
   Promise promise(const particles::ParticleSet &particles) const;
   size_t row_of(int32_t id) const;
+  void check_row(const std::vector<int32_t> &ids) const;
 
   hg_grid_def def_;
   particles::ParticleSet particles_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/property/life.hpp"
 
+#include "tests/property/shapes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -262,6 +264,7 @@ void Life::compare() {
   if (rng_.chance(0.3)) compare_visit(expected);
   if (rng_.chance(0.3)) compare_rows(expected);
   if (rng_.chance(0.3)) compare_spheres();
+  if (rng_.chance(0.3)) compare_shapes();
 }
 
 void Life::compare_visit(const Pairs &expected) {
@@ -305,6 +308,17 @@ void Life::compare_spheres() {
                expected[0]);
   require_rows(scene_.name + ", spheres",
                grid_.query_spheres(spheres.count(), spheres.centers.data(), spheres.radii.data()), expected);
+  compared_++;
+}
+
+// Rational numbers take their time.
+void Life::compare_shapes() {
+  constexpr size_t kMostShaped = 300;
+  const double *tilt = scene_.def.tilt;
+  if (live_.count() == 0 || live_.count() > kMostShaped || tilt[0] != 0 || tilt[1] != 0 || tilt[2] != 0) return;
+  const Population among{scene_.name, scene_.def, live_, ids_, grid_};
+  check_boxes(rng_, among);
+  check_triangles(rng_, among);
   compared_++;
 }
 

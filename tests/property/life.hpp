@@ -52,6 +52,7 @@ class Life {
   void compare_visit(const Pairs &expected);
   void compare_rows(const Pairs &expected);
   void compare_spheres();
+  void compare_shapes();
   void require_answer(const char *what, const Pairs &got, const Pairs &expected);
 
   Rng rng_;
