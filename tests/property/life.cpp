@@ -316,7 +316,16 @@ void Life::compare_shapes() {
   constexpr size_t kMostShaped = 300;
   const double *tilt = scene_.def.tilt;
   if (live_.count() == 0 || live_.count() > kMostShaped || tilt[0] != 0 || tilt[1] != 0 || tilt[2] != 0) return;
-  const Population among{scene_.name, scene_.def, live_, ids_, grid_};
+  Particles present;
+  present.dimension = live_.dimension;
+  std::vector<int32_t> ids;
+  for (size_t row = 0; row < live_.count(); row++) {
+    if (company_.is_absent(row)) continue;
+    present.add(live_.center(row), live_.radii[row]);
+    ids.push_back(ids_[row]);
+  }
+  if (ids.empty()) return;
+  const Population among{scene_.name, scene_.def, present, ids, grid_};
   check_boxes(rng_, among);
   check_triangles(rng_, among);
   compared_++;
