@@ -5,11 +5,11 @@
 !> c_hg_NAME.
 !>
 !> Programs use module hgrid; this one serves those who need a call as C has it, such as the
-!> allocator hooks. Each call is declared in the module that stands on it.
+!> allocator hooks. Most calls are declared in the module that stands on them.
 module hgrid_c
     use hgrid_bulk
     use hgrid_handle, only: c_hg_create, c_hg_destroy, c_hg_get_stats
-    use hgrid_history
+    use hgrid_history_c
     use hgrid_particles
     use hgrid_queries
     use hgrid_sets

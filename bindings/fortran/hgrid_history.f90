@@ -5,6 +5,10 @@
 module hgrid_history
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_float, &
         c_int32_t, c_int64_t, c_loc, c_ptr, c_size_t, c_sizeof
+    use hgrid_history_c, only: c_hg_history_carry, c_hg_history_clear, c_hg_history_create, &
+        c_hg_history_destroy, c_hg_history_ended, c_hg_history_ended_keys, c_hg_history_keys, &
+        c_hg_history_pairs, c_hg_history_restore, c_hg_history_restore_keys, c_hg_history_update, &
+        c_hg_history_update_keys
     use hgrid_error, only: hg_error, number_text, raise, refuse_copies, settle, settle_on, &
         shape_text
     use hgrid_owner, only: disown, hg_owner, own, owned
@@ -12,8 +16,6 @@ module hgrid_history
     implicit none
     private
 
-    public :: c_hg_history_carry, c_hg_history_clear, c_hg_history_create, c_hg_history_destroy
-    public :: c_hg_history_pairs, c_hg_history_restore, c_hg_history_update
     public :: hg_history
 
     !> The list of pairs of the last step, and how a new one follows from it. It frees itself when
@@ -29,87 +31,29 @@ module hgrid_history
         procedure :: carry_real64, carry_real64_rows, carry_real32, carry_real32_rows
         procedure :: carry_int32, carry_int32_rows
         procedure, pass(self) :: refuse_copy
+        procedure :: update_pairs, update_keys, restore_pairs, restore_keys
+        procedure :: ended_pairs, ended_keys
         procedure, public :: create
         procedure, public :: destroy
-        procedure, public :: update
+        !> update(pairs, previous): int32 pairs (2, count), or int64 keys (3, count): a, b, sub-key
+        generic, public :: update => update_pairs, update_keys
         !> carry(old, new): data of the list before in the order of the last one, zero where a
         !> contact is new; real64, real32 or int32, (count) or (rows, count)
         generic, public :: carry => carry_real64, carry_real64_rows, carry_real32, &
             carry_real32_rows, carry_int32, carry_int32_rows
+        !> ended(pairs, places): what the last update no longer found, pairs or keys as they were
+        generic, public :: ended => ended_pairs, ended_keys
         procedure, public :: pairs => remembered_pairs
-        procedure, public :: restore
+        procedure, public :: keys => remembered_keys
+        !> restore(pairs): pairs or keys, as update takes them
+        generic, public :: restore => restore_pairs, restore_keys
         procedure, public :: clear
         generic, public :: assignment(=) => refuse_copy
     end type hg_history
 
-    interface
-        function c_hg_history_create(history) bind(c, name='hg_history_create') result(status)
-            import
-            !> The new history, null on failure
-            type(c_ptr), intent(out) :: history
-            integer(c_int32_t) :: status
-        end function c_hg_history_create
-
-        subroutine c_hg_history_destroy(history) bind(c, name='hg_history_destroy')
-            import
-            !> The history; null is fine
-            type(c_ptr), value :: history
-        end subroutine c_hg_history_destroy
-
-        function c_hg_history_update(history, count, pairs, previous) &
-            bind(c, name='hg_history_update') result(status)
-            import
-            type(c_ptr), value :: history
-            integer(c_size_t), value :: count
-            !> hg_pair[count]
-            type(c_ptr), value :: pairs
-            !> int64_t[count], borrowed: places from 0, -1 for pairs that are new
-            type(c_ptr), intent(out) :: previous
-            integer(c_int32_t) :: status
-        end function c_hg_history_update
-
-        function c_hg_history_carry(history, item_size, old_items, new_items) &
-            bind(c, name='hg_history_carry') result(status)
-            import
-            type(c_ptr), value :: history
-            !> Bytes for one contact
-            integer(c_size_t), value :: item_size
-            !> One item for each pair of the list before
-            type(c_ptr), value :: old_items
-            !> One item for each pair of the last list
-            type(c_ptr), value :: new_items
-            integer(c_int32_t) :: status
-        end function c_hg_history_carry
-
-        function c_hg_history_pairs(history, pairs, count) bind(c, name='hg_history_pairs') &
-            result(status)
-            import
-            type(c_ptr), value :: history
-            !> hg_pair[count], borrowed
-            type(c_ptr), intent(out) :: pairs
-            integer(c_size_t), intent(out) :: count
-            integer(c_int32_t) :: status
-        end function c_hg_history_pairs
-
-        function c_hg_history_restore(history, count, pairs) bind(c, name='hg_history_restore') &
-            result(status)
-            import
-            type(c_ptr), value :: history
-            integer(c_size_t), value :: count
-            !> hg_pair[count]
-            type(c_ptr), value :: pairs
-            integer(c_int32_t) :: status
-        end function c_hg_history_restore
-
-        function c_hg_history_clear(history) bind(c, name='hg_history_clear') result(status)
-            import
-            type(c_ptr), value :: history
-            integer(c_int32_t) :: status
-        end function c_hg_history_clear
-    end interface
-
     ! What pointers show when the list is empty: a Fortran result must be associated.
     integer(c_int32_t), target :: no_pairs(2, 0)
+    integer(c_int64_t), target :: no_keys(3, 0)
 
 contains
 
@@ -139,7 +83,7 @@ contains
     end subroutine destroy
 
     !> Matches a list of pairs to the one before, and remembers it instead.
-    subroutine update(self, pairs, previous, err)
+    subroutine update_pairs(self, pairs, previous, err)
         class(hg_history), intent(inout) :: self
         !> (2, count), in any order, none twice
         integer(c_int32_t), intent(in), contiguous, target :: pairs(:, :)
@@ -147,28 +91,136 @@ contains
         integer(c_int64_t), intent(inout), allocatable :: previous(:)
         type(hg_error), intent(out), optional :: err
 
-        integer(c_int64_t), pointer :: places(:)
+        type(c_ptr) :: memory
+        integer(c_int32_t) :: status
+
+        if (misfit(self, 'update: pairs', shape(pairs), 2, err)) return
+        status = c_hg_history_update(owned(self%owner), size(pairs, 2, c_size_t), &
+            c_loc(pairs), memory)
+        if (status == HG_OK) call matched(self, size(pairs, 2, c_size_t), memory, previous)
+        call conclude(self, status, 'update', err)
+    end subroutine update_pairs
+
+    !> The same for a list of keys.
+    subroutine update_keys(self, keys, previous, err)
+        class(hg_history), intent(inout) :: self
+        !> (3, count): two ids and a sub-key for each contact, in any order, none twice
+        integer(c_int64_t), intent(in), contiguous, target :: keys(:, :)
+        !> (count): as for pairs
+        integer(c_int64_t), intent(inout), allocatable :: previous(:)
+        type(hg_error), intent(out), optional :: err
+
+        type(c_ptr) :: memory
+        integer(c_int32_t) :: status
+
+        if (misfit(self, 'update: keys', shape(keys), 3, err)) return
+        status = c_hg_history_update_keys(owned(self%owner), size(keys, 2, c_size_t), &
+            c_loc(keys), memory)
+        if (status == HG_OK) call matched(self, size(keys, 2, c_size_t), memory, previous)
+        call conclude(self, status, 'update', err)
+    end subroutine update_keys
+
+    !> Takes over what a match has found.
+    subroutine matched(self, count, memory, previous)
+        class(hg_history), intent(inout) :: self
+        !> Contacts of the new list
+        integer(c_size_t), intent(in) :: count
+        !> Their places, from 0
+        type(c_ptr), intent(in) :: memory
+        !> (count): their places, from 1
+        integer(c_int64_t), intent(inout), allocatable :: previous(:)
+
+        call copy_places(memory, count, previous)
+        self%former_count = self%count
+        self%count = count
+    end subroutine matched
+
+    !> The contacts of the list before that the last update no longer found.
+    subroutine ended_pairs(self, pairs, places, err)
+        class(hg_history), intent(in) :: self
+        !> (2, count); memory of the history, to be read before it changes
+        integer(c_int32_t), pointer, intent(out) :: pairs(:, :)
+        !> (count): their places in the list before, from 1, ascending
+        integer(c_int64_t), intent(inout), allocatable :: places(:)
+        type(hg_error), intent(out), optional :: err
+
+        type(c_ptr) :: memory, place_memory
         integer(c_size_t) :: count
         integer(c_int32_t) :: status
-        type(c_ptr) :: memory
 
-        if (misfit(self, pairs, 'update', err)) return
-        count = size(pairs, 2, c_size_t)
-        status = c_hg_history_update(owned(self%owner), count, c_loc(pairs), memory)
+        nullify (pairs)
+        status = c_hg_history_ended(owned(self%owner), memory, place_memory, count)
         if (status == HG_OK) then
-            if (allocated(previous)) then
-                if (size(previous, kind=c_size_t) /= count) deallocate (previous)
-            end if
-            if (.not. allocated(previous)) allocate (previous(count))
-            if (count > 0) then
-                call c_f_pointer(memory, places, [count])
-                previous = places + 1
-            end if
-            self%former_count = self%count
-            self%count = count
+            call show_pairs(memory, count, pairs)
+            call copy_places(place_memory, count, places)
         end if
-        call conclude(self, status, 'update', err)
-    end subroutine update
+        call conclude(self, status, 'ended', err)
+    end subroutine ended_pairs
+
+    !> The same if the list before was one of keys.
+    subroutine ended_keys(self, keys, places, err)
+        class(hg_history), intent(in) :: self
+        !> (3, count); memory of the history, to be read before it changes
+        integer(c_int64_t), pointer, intent(out) :: keys(:, :)
+        !> (count): as for pairs
+        integer(c_int64_t), intent(inout), allocatable :: places(:)
+        type(hg_error), intent(out), optional :: err
+
+        type(c_ptr) :: memory, place_memory
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        nullify (keys)
+        status = c_hg_history_ended_keys(owned(self%owner), memory, place_memory, count)
+        if (status == HG_OK) then
+            call show_keys(memory, count, keys)
+            call copy_places(place_memory, count, places)
+        end if
+        call conclude(self, status, 'ended', err)
+    end subroutine ended_keys
+
+    !> Places of C, as those of Fortran arrays.
+    subroutine copy_places(memory, count, places)
+        !> int64_t[count], from 0
+        type(c_ptr), intent(in) :: memory
+        integer(c_size_t), intent(in) :: count
+        !> (count), from 1
+        integer(c_int64_t), intent(inout), allocatable :: places(:)
+
+        integer(c_int64_t), pointer :: from_zero(:)
+
+        if (allocated(places)) then
+            if (size(places, kind=c_size_t) /= count) deallocate (places)
+        end if
+        if (.not. allocated(places)) allocate (places(count))
+        if (count == 0) return
+        call c_f_pointer(memory, from_zero, [count])
+        places = from_zero + 1
+    end subroutine copy_places
+
+    !> A list of pairs that the C history lends.
+    subroutine show_pairs(memory, count, pairs)
+        !> hg_pair[count]
+        type(c_ptr), intent(in) :: memory
+        integer(c_size_t), intent(in) :: count
+        !> (2, count)
+        integer(c_int32_t), pointer, intent(out) :: pairs(:, :)
+
+        pairs => no_pairs
+        if (count > 0) call c_f_pointer(memory, pairs, [2_c_size_t, count])
+    end subroutine show_pairs
+
+    !> A list of keys that the C history lends.
+    subroutine show_keys(memory, count, keys)
+        !> hg_contact_key[count]
+        type(c_ptr), intent(in) :: memory
+        integer(c_size_t), intent(in) :: count
+        !> (3, count)
+        integer(c_int64_t), pointer, intent(out) :: keys(:, :)
+
+        keys => no_keys
+        if (count > 0) call c_f_pointer(memory, keys, [3_c_size_t, count])
+    end subroutine show_keys
 
     !> The remembered list, for example for a checkpoint.
     subroutine remembered_pairs(self, pairs, err)
@@ -183,15 +235,29 @@ contains
 
         nullify (pairs)
         status = c_hg_history_pairs(owned(self%owner), memory, count)
-        if (status == HG_OK) then
-            pairs => no_pairs
-            if (count > 0) call c_f_pointer(memory, pairs, [2_c_size_t, count])
-        end if
+        if (status == HG_OK) call show_pairs(memory, count, pairs)
         call conclude(self, status, 'pairs', err)
     end subroutine remembered_pairs
 
+    !> The remembered list if it is one of keys.
+    subroutine remembered_keys(self, keys, err)
+        class(hg_history), intent(in) :: self
+        !> (3, count); memory of the history, to be read before it changes
+        integer(c_int64_t), pointer, intent(out) :: keys(:, :)
+        type(hg_error), intent(out), optional :: err
+
+        type(c_ptr) :: memory
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        nullify (keys)
+        status = c_hg_history_keys(owned(self%owner), memory, count)
+        if (status == HG_OK) call show_keys(memory, count, keys)
+        call conclude(self, status, 'keys', err)
+    end subroutine remembered_keys
+
     !> Remembers a list without matching it, for example that of a checkpoint.
-    subroutine restore(self, pairs, err)
+    subroutine restore_pairs(self, pairs, err)
         class(hg_history), intent(inout) :: self
         !> (2, count), in any order, none twice
         integer(c_int32_t), intent(in), contiguous, target :: pairs(:, :)
@@ -199,11 +265,26 @@ contains
 
         integer(c_int32_t) :: status
 
-        if (misfit(self, pairs, 'restore', err)) return
+        if (misfit(self, 'restore: pairs', shape(pairs), 2, err)) return
         status = c_hg_history_restore(owned(self%owner), size(pairs, 2, c_size_t), c_loc(pairs))
         if (status == HG_OK) self%count = size(pairs, 2, c_size_t)
         call conclude(self, status, 'restore', err)
-    end subroutine restore
+    end subroutine restore_pairs
+
+    !> The same for a list of keys.
+    subroutine restore_keys(self, keys, err)
+        class(hg_history), intent(inout) :: self
+        !> (3, count), in any order, none twice
+        integer(c_int64_t), intent(in), contiguous, target :: keys(:, :)
+        type(hg_error), intent(out), optional :: err
+
+        integer(c_int32_t) :: status
+
+        if (misfit(self, 'restore: keys', shape(keys), 3, err)) return
+        status = c_hg_history_restore_keys(owned(self%owner), size(keys, 2, c_size_t), c_loc(keys))
+        if (status == HG_OK) self%count = size(keys, 2, c_size_t)
+        call conclude(self, status, 'restore', err)
+    end subroutine restore_keys
 
     !> Remembers an empty list.
     subroutine clear(self, err)
@@ -309,7 +390,7 @@ contains
             if (old_shape(rank) /= self%former_count .or. new_shape(rank) /= self%count) then
                 call raise(HG_ERR_ARGUMENT, shapes//' do not fit lists of '// &
                     number_text(int(self%former_count))//' and '//number_text(int(self%count))// &
-                    ' pairs', err)
+                    ' contacts', err)
                 return
             end if
         end if
@@ -341,20 +422,22 @@ contains
         call settle_on('history', owned(self%owner), status, caller, err)
     end subroutine conclude
 
-    !> Whether pairs has another shape than (2, count); then the failure has been reported.
-    function misfit(self, pairs, caller, err) result(wrong)
+    !> Whether a list has another number of rows; then the failure has been reported.
+    function misfit(self, what, extents, rows, err) result(wrong)
         class(hg_history), intent(in) :: self
-        !> What was given
-        integer(c_int32_t), intent(in) :: pairs(:, :)
-        !> Name of the Fortran call
-        character(len=*), intent(in) :: caller
+        !> Name of the Fortran call and of its argument
+        character(len=*), intent(in) :: what
+        !> Shape of that argument
+        integer, intent(in) :: extents(2)
+        !> What it must have
+        integer, intent(in) :: rows
         type(hg_error), intent(out), optional :: err
         logical :: wrong
 
-        wrong = c_associated(owned(self%owner)) .and. size(pairs, 1) /= 2
+        wrong = c_associated(owned(self%owner)) .and. extents(1) /= rows
         if (wrong) then
-            call raise(HG_ERR_ARGUMENT, caller//': pairs'//shape_text(shape(pairs))// &
-                ' has other than 2 rows', err)
+            call raise(HG_ERR_ARGUMENT, what//shape_text(extents)//' has other than '// &
+                number_text(rows)//' rows', err)
         end if
     end function misfit
 

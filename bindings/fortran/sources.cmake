@@ -12,6 +12,7 @@ set(HGRID_FORTRAN_SOURCES
     hgrid_bulk.f90
     hgrid_visit.f90
     hgrid_queries.f90
+    hgrid_history_c.f90
     hgrid_history.f90
     hgrid.f90
     hgrid_c.f90)

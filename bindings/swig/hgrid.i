@@ -63,6 +63,7 @@ typedef struct hg_history {
 %ignore hg_set_allocator;
 %ignore hg_allocator;
 %ignore hg_pair;
+%ignore hg_contact_key;
 %ignore hg_array;
 %ignore hg_contact_batch;
 

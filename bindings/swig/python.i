@@ -26,6 +26,7 @@
 %hgrid_array_in(double, 'd')
 %hgrid_array_in(int32_t, 'i')
 %hgrid_array_in(hg_pair, 'i')
+%hgrid_array_in(hg_contact_key, 'q')
 
 /* Members with one value per axis. */
 %typemap(in) double [3] (double values[3]) {
@@ -58,6 +59,7 @@
 }
 %enddef
 %hgrid_lent_array(hg_pair, pairs, "i", 2)
+%hgrid_lent_array(hg_contact_key, keys, HGRID_INT64, 3)
 %hgrid_lent_array(int32_t, ids, "i", 1)
 
 /* Compressed rows out. C does not tell how many there are: the package does, as an argument in their place. */
@@ -84,18 +86,31 @@
   %append_output(hgrid_lend(shifts$argnum, numbers$argnum, "i", 1));
 }
 
-/* A list in, and one number for each of its pairs out. */
-%typemap(arginit) (size_t count, const hg_pair *pairs, const int64_t **) { view$argnum.obj = NULL; }
-%typemap(in) (size_t count, const hg_pair *pairs, const int64_t **) (Py_buffer view, const int64_t *places = NULL) {
-  if (hgrid_take_buffer($input, "$2_name", 'i', &view) != 0) SWIG_fail;
+/* A list of contacts in, and one number for each of them out; contacts and one number for each out. */
+%define %hgrid_contacts(TYPE, NAME, KIND, FORMAT, COLUMNS)
+%typemap(arginit) (size_t count, const TYPE *NAME, const int64_t **) { view$argnum.obj = NULL; }
+%typemap(in) (size_t count, const TYPE *NAME, const int64_t **) (Py_buffer view, const int64_t *places = NULL) {
+  if (hgrid_take_buffer($input, "$2_name", KIND, &view) != 0) SWIG_fail;
   $1 = (size_t)view.shape[0];
   $2 = ($2_ltype)view.buf;
   $3 = ($3_ltype)&places;
 }
-%typemap(argout) (size_t count, const hg_pair *pairs, const int64_t **) {
+%typemap(argout) (size_t count, const TYPE *NAME, const int64_t **) {
   %append_output(hgrid_lend(places$argnum, $1, HGRID_INT64, 1));
 }
-%typemap(freearg) (size_t count, const hg_pair *pairs, const int64_t **) { PyBuffer_Release(&view$argnum); }
+%typemap(freearg) (size_t count, const TYPE *NAME, const int64_t **) { PyBuffer_Release(&view$argnum); }
+%typemap(in, numinputs=0) (const TYPE **NAME, const int64_t **places, size_t *count) (const TYPE *items = NULL, const int64_t *places = NULL, size_t item_count = 0) {
+  $1 = ($1_ltype)&items;
+  $2 = ($2_ltype)&places;
+  $3 = &item_count;
+}
+%typemap(argout) (const TYPE **NAME, const int64_t **places, size_t *count) {
+  %append_output(hgrid_lend(items$argnum, item_count$argnum, FORMAT, COLUMNS));
+  %append_output(hgrid_lend(places$argnum, item_count$argnum, HGRID_INT64, 1));
+}
+%enddef
+%hgrid_contacts(hg_pair, pairs, 'i', "i", 2)
+%hgrid_contacts(hg_contact_key, keys, 'q', HGRID_INT64, 3)
 
 /* Structs out, each a copy owned by its proxy: lists of them, or one of the size of this build. */
 %define %hgrid_struct_list(TYPE, NAME)

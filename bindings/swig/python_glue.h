@@ -13,17 +13,17 @@
 /* How buffers spell int64_t. */
 #define HGRID_INT64 (sizeof(long) == sizeof(int64_t) ? "l" : "q")
 
-/* Borrows a C-contiguous buffer of doubles (kind 'd') or of 32-bit integers ('i'); None gives NULL. Nonzero: an
- * exception is set. */
+/* Borrows a C-contiguous buffer of doubles (kind 'd'), of 32-bit integers ('i') or of 64-bit ones ('q'); None gives
+ * NULL. Nonzero: an exception is set. */
 static int hgrid_take_buffer(PyObject *object, const char *name, char kind, Py_buffer *view) {
   const char *format;
-  size_t size = kind == 'd' ? sizeof(double) : sizeof(int32_t);
+  size_t size = kind == 'i' ? sizeof(int32_t) : sizeof(int64_t);
   view->buf = NULL;
   if (object == Py_None) return 0;
   if (PyObject_GetBuffer(object, view, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT) != 0) return -1;
   format = view->format == NULL ? "B" : view->format;
-  /* A platform may spell its 32-bit integer as long. */
-  if ((format[0] != kind && !(kind == 'i' && format[0] == 'l')) || format[1] != '\0' ||
+  /* A platform may spell either integer as long. */
+  if ((format[0] != kind && !(kind != 'd' && format[0] == 'l')) || format[1] != '\0' ||
       view->itemsize != (Py_ssize_t)size || view->ndim == 0) {
     PyErr_Format(PyExc_TypeError, "%s: an array of type '%c' is needed, not one of '%s'", name, kind, format);
     PyBuffer_Release(view);

@@ -76,6 +76,16 @@ struct PairVectors {
   View<int32_t> shifts;
 };
 
+// Contacts that ended, and their places in the list before.
+struct EndedPairs {
+  View<hg_pair> pairs;
+  View<int64_t> places;
+};
+struct EndedKeys {
+  View<hg_contact_key> keys;
+  View<int64_t> places;
+};
+
 namespace detail {
 
 template <class Handle, void (*destroy)(Handle *)>
@@ -274,20 +284,38 @@ class History {
   // The C handle; NULL if this was moved from. It stays this object's.
   hg_history *get() const noexcept { return handle_.get(); }
 
-  // The place of each pair in the former list, or -1.
-  View<int64_t> update(size_t count, const hg_pair *pairs) {
-    const int64_t *previous = nullptr;
-    check(hg_history_update(get(), count, pairs, &previous));
-    return {previous, count};
+  // The place of each contact in the former list, or -1.
+  View<int64_t> update(size_t count, const hg_pair *pairs) { return update_by(hg_history_update, count, pairs); }
+  View<int64_t> update_keys(size_t count, const hg_contact_key *keys) {
+    return update_by(hg_history_update_keys, count, keys);
   }
   void carry(size_t item_size, const void *old_items, void *new_items) const {
     check(hg_history_carry(get(), item_size, old_items, new_items));
   }
+  EndedPairs ended() { return ended_by<EndedPairs, hg_pair>(hg_history_ended); }
+  EndedKeys ended_keys() { return ended_by<EndedKeys, hg_contact_key>(hg_history_ended_keys); }
   View<hg_pair> pairs() const { return detail::lent<hg_pair>(hg_history_pairs, get()); }
+  View<hg_contact_key> keys() const { return detail::lent<hg_contact_key>(hg_history_keys, get()); }
   void restore(size_t count, const hg_pair *pairs) { check(hg_history_restore(get(), count, pairs)); }
+  void restore_keys(size_t count, const hg_contact_key *keys) { check(hg_history_restore_keys(get(), count, keys)); }
   void clear() { check(hg_history_clear(get())); }
 
  private:
+  template <class Call, class Contact>
+  View<int64_t> update_by(Call call, size_t count, const Contact *contacts) {
+    const int64_t *previous = nullptr;
+    check(call(get(), count, contacts, &previous));
+    return {previous, count};
+  }
+  template <class Ended, class Contact, class Call>
+  Ended ended_by(Call call) {
+    const Contact *contacts = nullptr;
+    const int64_t *places = nullptr;
+    size_t count = 0;
+    check(call(get(), &contacts, &places, &count));
+    return {{contacts, count}, {places, count}};
+  }
+
   std::unique_ptr<hg_history, detail::Destroy<hg_history, hg_history_destroy>> handle_;
 };
 

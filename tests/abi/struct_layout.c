@@ -9,15 +9,16 @@
 #include <string.h>
 
 /* A size may grow (then its struct has new members at the end); an offset or a constant never changes. */
-#define SIZES(X)        \
-  X(hg_allocator, 32)   \
-  X(hg_pair, 8)         \
-  X(hg_grid_def, 184)   \
-  X(hg_level, 32)       \
-  X(hg_level_cost, 24)  \
-  X(hg_grid_stats, 104) \
-  X(hg_array, 24)       \
-  X(hg_contact_batch, 56)
+#define SIZES(X)          \
+  X(hg_allocator, 32)     \
+  X(hg_pair, 8)           \
+  X(hg_grid_def, 184)     \
+  X(hg_level, 32)         \
+  X(hg_level_cost, 24)    \
+  X(hg_grid_stats, 104)   \
+  X(hg_array, 24)         \
+  X(hg_contact_batch, 56) \
+  X(hg_contact_key, 24)
 
 #define OFFSETS(X)                      \
   X(hg_allocator, context, 0)           \
@@ -26,6 +27,9 @@
   X(hg_allocator, release, 24)          \
   X(hg_pair, a, 0)                      \
   X(hg_pair, b, 4)                      \
+  X(hg_contact_key, a, 0)               \
+  X(hg_contact_key, b, 8)               \
+  X(hg_contact_key, sub, 16)            \
   X(hg_grid_def, struct_size, 0)        \
   X(hg_grid_def, dimension, 4)          \
   X(hg_grid_def, thread_count, 8)       \

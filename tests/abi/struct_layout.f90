@@ -33,6 +33,7 @@ program struct_layout
     call compare_grid_stats()
     call compare_array()
     call compare_contact_batch()
+    call compare_contact_key()
     call compare_constants()
     if (compared /= layout_length()) then
         write (error_unit, '(a, i0, a, i0)') 'compared ', compared, ' numbers, the C side has ', layout_length()
@@ -177,6 +178,15 @@ contains
         call compare('hg_contact_batch%dz', offset(c_loc(it%dz), c_loc(it)))
         call compare('hg_contact_batch%reach', offset(c_loc(it%reach), c_loc(it)))
     end subroutine compare_contact_batch
+
+    subroutine compare_contact_key()
+        type(hg_contact_key), target :: it
+
+        call compare('hg_contact_key', int(c_sizeof(it), c_int64_t))
+        call compare('hg_contact_key%a', offset(c_loc(it%a), c_loc(it)))
+        call compare('hg_contact_key%b', offset(c_loc(it%b), c_loc(it)))
+        call compare('hg_contact_key%sub', offset(c_loc(it%sub), c_loc(it)))
+    end subroutine compare_contact_key
 
     subroutine compare_constants()
         call compare('HG_OK', int(HG_OK, c_int64_t))

@@ -17,6 +17,8 @@ program test_history
     call test_places()
     call test_kinds()
     call test_checkpoint()
+    call test_keys()
+    call test_ended()
     call test_empty()
     call test_grid()
     call test_errors()
@@ -90,6 +92,70 @@ contains
         call other%update(before, others)
         call check(all(others == 0), 'all pairs are new after clear')
     end subroutine test_checkpoint
+
+    !> Sub-keys tell contacts of one pair apart; ids may have 64 bits.
+    subroutine test_keys()
+        type(hg_history) :: history, other
+        integer(c_int64_t), parameter :: far = 2_c_int64_t**40
+        integer(c_int64_t), parameter :: first(3, 3) = reshape([integer(c_int64_t) :: &
+            1, 2, 0, 1, 2, 1, far, 2, 0], [3, 3])
+        integer(c_int64_t), pointer :: keys(:, :)
+        integer(c_int64_t), allocatable :: previous(:), places(:)
+        integer(c_int32_t) :: items(3)
+        type(hg_error) :: err
+
+        call history%create()
+        call history%update(first, previous)
+        call check(all(previous == 0), 'the first keys are all new')
+        call history%update(first(:, [3, 1]), previous)
+        call check(all(previous == [integer(c_int64_t) :: 3, 1]), 'places of keys')
+        call history%carry([7_c_int32_t, 8_c_int32_t, 9_c_int32_t], items(:2))
+        call check(all(items(:2) == [9, 7]), 'items of keys')
+        call history%keys(keys)
+        call check(all(shape(keys) == [3, 2]), 'the remembered keys have their shape')
+        call check(all(keys == first(:, [3, 1])), 'the remembered keys')
+        call other%create()
+        call other%restore(keys)
+        call history%ended(keys, places)
+        call check(all(shape(keys) == [3, 1]), 'one key has ended')
+        call check(all(keys(:, 1) == first(:, 2)) .and. all(places == [2]), 'its place')
+        call other%update(before, previous)
+        call check(all(previous == [integer(c_int64_t) :: 2, 0, 0]), 'a pair has sub-key 0')
+        call other%keys(keys, err)
+        call check_fails(err, HG_ERR_STATE, 'given as one of pairs, not of keys', 'keys')
+        call check(.not. associated(keys), 'the keys of a failed call')
+        call history%update(first(:2, :), previous, err)
+        call check_fails(err, HG_ERR_ARGUMENT, 'update: keys(2,3) has other than 3 rows', 'update')
+        call history%restore(first(:2, :), err)
+        call check_fails(err, HG_ERR_ARGUMENT, 'restore: keys(2,3) has other than 3 rows', 'restore')
+        call history%update(first(:, [1, 2, 1]), previous, err)
+        call check_fails(err, HG_ERR_ARGUMENT, &
+            'keys(3) = (1, 2, 0) is already listed as keys(1)', 'update')
+    end subroutine test_keys
+
+    subroutine test_ended()
+        type(hg_history) :: history
+        integer(c_int32_t), pointer :: pairs(:, :)
+        integer(c_int64_t), pointer :: keys(:, :)
+        integer(c_int64_t), allocatable :: places(:), previous(:)
+        type(hg_error) :: err
+
+        call make(history)
+        call history%ended(pairs, places)
+        call check(all(shape(pairs) == [2, 1]), 'one pair has ended')
+        call check(all(pairs(:, 1) == [7, 9]) .and. all(places == [2]), 'its place')
+        call history%ended(keys, places, err)
+        call check_fails(err, HG_ERR_STATE, 'given as one of pairs, not of keys', 'ended')
+        call check(.not. associated(keys), 'ended contacts of a failed call')
+        call history%update(after, previous)
+        call history%ended(pairs, places)
+        call check(all(shape(pairs) == [2, 0]) .and. size(places) == 0, 'nothing has ended')
+        call history%ended(keys, places)
+        call check(all(shape(keys) == [3, 0]) .and. size(places) == 0, 'no keys either')
+        call history%clear()
+        call history%ended(pairs, places, err)
+        call check_fails(err, HG_ERR_STATE, 'no list has been matched', 'ended')
+    end subroutine test_ended
 
     subroutine test_empty()
         type(hg_history) :: history
@@ -200,6 +266,8 @@ contains
         call check_fails(err, HG_ERR_NULL, text, 'restore')
         call history%clear(err)
         call check_fails(err, HG_ERR_NULL, text, 'clear')
+        call history%ended(pairs, previous, err)
+        call check_fails(err, HG_ERR_NULL, text, 'ended')
         call history%destroy()
     end subroutine test_not_created
 

@@ -69,6 +69,66 @@ class Matching(unittest.TestCase):
         self.assertIn(-1, expected)
 
 
+class Keys(unittest.TestCase):
+    FIRST = [(1, 2, 0), (1, 2, 1), (2**40, 2, -3)]
+
+    def setUp(self):
+        self.history = hgrid.History()
+
+    def test_sub_keys_tell_contacts_apart(self):
+        self.assertEqual(self.history.update(self.FIRST).tolist(), [-1, -1, -1])
+        self.assertEqual(self.history.update([(2**40, 2, -3), (1, 2, 7), (1, 2, 0)]).tolist(), [2, -1, 0])
+        self.assertEqual(self.history.carry([1.5, 2.5, 3.5]).tolist(), [3.5, 0, 1.5])
+        self.assertEqual(self.history.pairs.dtype, np.int64)
+        other = hgrid.History()
+        other.restore(self.history.pairs)
+        self.assertEqual(other.pairs.tolist(), [[2**40, 2, -3], [1, 2, 7], [1, 2, 0]])
+
+    def test_pairs_before_and_after_keys(self):
+        self.history.update([(1, 2), (3, 4)])
+        self.assertEqual(self.history.update([(3, 4, 1), (1, 2, 0)]).tolist(), [-1, 0])
+        self.assertEqual(self.history.update([(1, 2), (3, 4)]).tolist(), [1, -1])
+        pairs, places = self.history.ended()
+        self.assertEqual((pairs.tolist(), places.tolist()), ([[3, 4, 1]], [0]))
+
+    def test_images_of_a_pair(self):
+        x = np.array([[0.25, 0, 0], [0.75, 0, 0]])
+        with hgrid.Grid(periodic=(True, False, False), box=np.diag([1.0, 1, 1]), images="all") as grid:
+            grid.set(x, [0.3, 0.3])
+            for expected in ([-1, -1], [0, 1]):
+                pairs, shifts = grid.query_pairs(shifts=True)
+                self.assertRaises(hgrid.ArgumentError, self.history.update, pairs)
+                keys = np.column_stack((pairs, shifts[:, 0]))
+                self.assertEqual(self.history.update(keys).tolist(), expected)
+
+    def test_errors(self):
+        with self.assertRaisesRegex(hgrid.ArgumentError, r"keys\[1\] = \(1, 2, 3\) is already listed as keys\[0\]"):
+            self.history.update([(1, 2, 3), (1, 2, 3)])
+        with self.assertRaisesRegex(hgrid.ArgumentError, r"pairs\[0\]\[2\] = 9223372036854775808: .* in 64 bits"):
+            self.history.update(np.array([(1, 2, 2**63)], dtype=np.uint64))
+        with self.assertRaisesRegex(hgrid.ArgumentError, r"pairs must have shape \(m, 2\), not \(1, 4\)"):
+            self.history.update([(1, 2, 3, 4)])
+
+
+class Ended(unittest.TestCase):
+    def test_contacts_that_are_no_more(self):
+        history = hgrid.History()
+        self.assertRaises(hgrid.StateError, history.ended)
+        history.update(BEFORE)
+        self.assertEqual(history.ended().pairs.shape, (0, 2))
+        history.update(AFTER)
+        ended = history.ended()
+        self.assertEqual(ended.pairs.tolist(), [[7, 9]])
+        self.assertEqual(np.array([0.5, 1.5, 2.5])[ended.places].tolist(), [1.5])
+        self.assertRaises(hgrid.ArgumentError, history.update, [(0, 0), (0, 0)])
+        self.assertEqual(history.ended().pairs.tolist(), [[7, 9]])
+        history.update([])
+        self.assertEqual(history.ended().places.tolist(), [0, 1, 2, 3])
+        self.assertEqual(ended.pairs.tolist(), [[7, 9]])
+        history.restore(BEFORE)
+        self.assertRaises(hgrid.StateError, history.ended)
+
+
 class Errors(unittest.TestCase):
     def setUp(self):
         self.history = hgrid.History()

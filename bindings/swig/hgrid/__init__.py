@@ -41,7 +41,7 @@ from .capi import (
 from .errors import ArgumentError, Error, LimitError, NotFoundError, OutOfMemoryError, StateError
 from .grid import Grid
 from .history import History
-from .records import Level, LevelCost, Stats
+from .records import Ended, Level, LevelCost, Stats
 
 
 def version():
@@ -53,6 +53,7 @@ __version__ = ".".join(str(number) for number in version())
 
 __all__ = [name for name in dir() if name.startswith("HG_")] + [
     "ArgumentError",
+    "Ended",
     "Error",
     "Grid",
     "History",

@@ -6,8 +6,6 @@ import numpy as np
 
 from .errors import ArgumentError, NotFoundError
 
-_ID_RANGE = np.iinfo(np.int32)
-
 
 def _shape_text(shape):
     return "(" + ", ".join(str(extent) for extent in shape) + (",)" if len(shape) == 1 else ")")
@@ -35,17 +33,18 @@ def reals(values, name, shape):
     return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
 
 
-def _int32(array, name, refuse):
-    """`array` as contiguous int32; refuse(index, value) raises for the first value that does not fit."""
+def _integers(array, name, kind, refuse):
+    """`array` as contiguous integers of that kind; refuse(index, value) raises for the first value that does not fit."""
     if array.size == 0:
-        return np.empty(array.shape, dtype=np.int32)
+        return np.empty(array.shape, dtype=kind)
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name} must hold integers, not {array.dtype}")
-    outside = np.argwhere((array < _ID_RANGE.min) | (array > _ID_RANGE.max))
+    limits = np.iinfo(kind)
+    outside = np.argwhere((array < limits.min) | (array > limits.max))
     if outside.size > 0:
         index = tuple(outside[0])
         refuse("".join(f"[{k}]" for k in index), array[index])
-    return np.require(array, np.int32, ["C_CONTIGUOUS", "ALIGNED"])
+    return np.require(array, kind, ["C_CONTIGUOUS", "ALIGNED"])
 
 
 def ids(values, name):
@@ -56,26 +55,31 @@ def ids(values, name):
 
     array = np.asarray(values)
     check_shape(array, name, ("n",))
-    return _int32(array, name, refuse)
+    return _integers(array, name, np.int32, refuse)
 
 
-def _integers(values, name, shape):
+def _fitting(array, name, kind):
+    """`array` as contiguous integers of that kind."""
+
     def refuse(index, value):
-        raise ArgumentError(f"{name}{index} = {value}: does not fit in 32 bits")
+        raise ArgumentError(f"{name}{index} = {value}: does not fit in {np.iinfo(kind).bits} bits")
 
-    array = _rows(values, shape)
-    check_shape(array, name, shape)
-    return _int32(array, name, refuse)
+    return _integers(array, name, kind, refuse)
 
 
 def numbers(values, name):
     """`values` as a contiguous int32 array of shape (n,)."""
-    return _integers(values, name, ("n",))
+    array = np.asarray(values)
+    check_shape(array, name, ("n",))
+    return _fitting(array, name, np.int32)
 
 
-def pairs(values, name):
-    """`values` as a contiguous int32 array of shape (m, 2)."""
-    return _integers(values, name, ("m", 2))
+def contacts(values, name):
+    """`values` as a contiguous array of pairs, int32 of shape (m, 2), or of keys, int64 of shape (m, 3)."""
+    array = _rows(values, ("m", 2))
+    keyed = array.ndim == 2 and array.shape[1] == 3
+    check_shape(array, name, ("m", 3 if keyed else 2))
+    return _fitting(array, name, np.int64 if keyed else np.int32)
 
 
 def copy_out(lent):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a grid tells about itself: named tuples with the fields of the C structs of the same name."""
+"""What grids and histories tell: named tuples, those about grids with the fields of the C structs of that name."""
 
 from collections import namedtuple
 
@@ -28,6 +28,11 @@ candidate_count: pairs tested; undecided_count: of these, too near to touching f
 too near even for double arithmetic. pair_count: pairs found. build_count, search_count: builds and searches of all
 pairs since the grid was made. byte_count: memory that the grid holds, results included. filter_count: times stored
 candidates were filtered instead of a search; stored_count: candidates stored now, 0 without a skin."""
+
+Ended = namedtuple("Ended", "pairs places")
+Ended.__doc__ = """Contacts that are no more.
+
+pairs: as they stood in the list before, shape (k, 2) or (k, 3). places: in that list, int64 of shape (k,)."""
 
 
 def record(kind, struct):

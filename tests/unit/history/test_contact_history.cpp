@@ -28,7 +28,7 @@ void require_matched(const char *what, const ContactHistory &history, const Pair
   for (size_t k = 0; k < former.size(); k++) places[{former[k].a, former[k].b}] = static_cast<int64_t>(k);
   require(history.matched() && history.former_count() == former.size(), "%s: matched to %zu pairs instead of %zu", what,
           history.former_count(), former.size());
-  require_pairs(what, Pairs(history.pairs(), history.pairs() + history.count()), now);
+  require_pairs(what, Pairs(history.now().pairs.data(), history.now().pairs.data() + history.now().count), now);
   for (size_t k = 0; k < now.size(); k++) {
     const auto found = places.find({now[k].a, now[k].b});
     const int64_t place = found == places.end() ? -1 : found->second;
@@ -109,16 +109,16 @@ void check_twice(uint64_t seed) {
 void check_restore(uint64_t) {
   const Pairs all = chain(30), few = chain(3);
   ContactHistory history(hg::system_allocator());
-  require(history.count() == 0 && !history.matched() && history.former_count() == 0, "a new history remembers");
+  require(history.now().count == 0 && !history.matched() && history.former_count() == 0, "a new history remembers");
   update(history, few);
   history.restore(all.size(), all.data());
   require(!history.matched() && history.former_count() == 0, "a restored list is matched");
-  require_pairs("restored", Pairs(history.pairs(), history.pairs() + history.count()), all);
+  require_pairs("restored", Pairs(history.now().pairs.data(), history.now().pairs.data() + history.now().count), all);
   update(history, few);
   require_matched("after a restore", history, all, few);
-  history.update(history.count(), history.pairs());
+  history.update(history.now().count, history.now().pairs.data());
   require_matched("its own list", history, few, few);
-  history.restore(0, nullptr);
+  history.restore(0, few.data());
   update(history, all);
   require_matched("after nothing", history, {}, all);
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "src/history/pair_table.hpp"
+#include "src/history/key_table.hpp"
 
 #include <algorithm>
 
@@ -13,22 +13,24 @@ constexpr uint64_t kStepsPerCall = 16, kStepsAtOnce = 4096;
 
 }  // namespace
 
-void PairTable::reset(size_t count) {
+template <class Key>
+void KeyTable<Key>::reset(size_t count) {
   const size_t capacity = std::max<size_t>(16, array_bytes(count, 2));
   Buffer<Slot> &slots = swapped_ ? spare_ : slots_;
   slots.require(capacity);
-  std::fill(slots.data(), slots.data() + capacity, Slot{0, kEmpty});
+  std::fill(slots.data(), slots.data() + capacity, Slot{Key{}, kEmpty});
   capacity_ = capacity;
   seed_ = kFirstSeed;
   calls_ = steps_ = former_steps_ = 0;
 }
 
-PairTable::Slot &PairTable::locate(uint64_t key) {
+template <class Key>
+typename KeyTable<Key>::Slot &KeyTable<Key>::locate(const Key &key) {
   calls_++;
   if (__builtin_expect(steps_ > kStepsPerCall * calls_ + kStepsAtOnce, 0)) reseed();
   Slot *const begin = slots(), *const end = begin + capacity_;
   Slot *slot = begin + home(key);
-  while (slot->value != kEmpty && slot->key != key) {
+  while (slot->value != kEmpty && !same(slot->key, key)) {
     steps_++;
     if (++slot == end) slot = begin;
   }
@@ -36,12 +38,13 @@ PairTable::Slot &PairTable::locate(uint64_t key) {
 }
 
 // Moves all keys to where another seed puts them. The seed depends on an address, which nobody can have foreseen.
-void PairTable::reseed() {
+template <class Key>
+void KeyTable<Key>::reseed() {
   Buffer<Slot> &to = swapped_ ? slots_ : spare_;
   to.require(capacity_);
   const Slot *const from = slots();
   swapped_ = !swapped_;
-  std::fill(to.data(), to.data() + capacity_, Slot{0, kEmpty});
+  std::fill(to.data(), to.data() + capacity_, Slot{Key{}, kEmpty});
   seed_ = mix(seed_ + reinterpret_cast<uintptr_t>(to.data()));
   former_steps_ += steps_;
   calls_ = steps_ = 0;
@@ -52,5 +55,8 @@ void PairTable::reseed() {
     to[at] = *slot;
   }
 }
+
+template class KeyTable<Compared<hg_pair>>;
+template class KeyTable<Compared<hg_contact_key>>;
 
 }  // namespace hg

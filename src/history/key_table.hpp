@@ -1,24 +1,16 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// A hash table from pairs to places (open addressing, at most half full), and a filter for pairs that are not in it.
+// A hash table from keys to places (open addressing, at most half full), and a filter for keys that are not in it.
 #pragma once
 
 #include "src/base/memory.hpp"
-
-#include <hgrid/types.h>
+#include "src/history/contact_key.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 
 namespace hg {
-
-// A pair as one number.
-inline uint64_t pair_key(const hg_pair &pair) {
-  uint64_t key = 0;
-  std::memcpy(&key, &pair, sizeof key);
-  return key;
-}
 
 // A number below `range` from the upper bits of a hash.
 inline size_t scale_hash(uint64_t hash, size_t range) {
@@ -28,9 +20,9 @@ inline size_t scale_hash(uint64_t hash, size_t range) {
 
 // One bit for each of some keys, in so little memory that it stays in the nearest cache while a few are looked for
 // among many.
-class PairFilter {
+class KeyFilter {
  public:
-  explicit PairFilter(Memory &memory) : words_(memory) {}
+  explicit KeyFilter(Memory &memory) : words_(memory) {}
 
   // Empties the filter and makes room for `count` keys: about one in 16 others is then let through.
   void reset(size_t count) {
@@ -38,58 +30,50 @@ class PairFilter {
     words_.require(bits_ / 64 + 1);
     std::memset(words_.data(), 0, (bits_ / 64 + 1) * sizeof words_[0]);
   }
-  void add(uint64_t key) {
-    const size_t bit = place(key);
+  template <class Key>
+  void add(const Key &key) {
+    const size_t bit = scale_hash(cheap_hash(key), bits_);
     words_[bit / 64] |= uint64_t{1} << bit % 64;
   }
   // False only for keys that were not added.
-  bool may_hold(uint64_t key) const {
-    const size_t bit = place(key);
+  template <class Key>
+  bool may_hold(const Key &key) const {
+    const size_t bit = scale_hash(cheap_hash(key), bits_);
     return (words_[bit / 64] >> bit % 64 & 1) != 0;
   }
 
  private:
-  // A cheap hash will do: a key let through in vain costs a little time.
-  size_t place(uint64_t key) const { return scale_hash((key ^ key >> 29) * 0x9e3779b97f4a7c15, bits_); }
-
   Buffer<uint64_t> words_;
   size_t bits_ = 0;
 };
 
-class PairTable {
+template <class Key>
+class KeyTable {
  public:
   struct Slot {
-    uint64_t key;
+    Key key;
     int64_t value;  // kEmpty: no key here
   };
   static constexpr int64_t kEmpty = INT64_MIN;
 
-  explicit PairTable(Memory &memory) : slots_(memory), spare_(memory) {}
+  explicit KeyTable(Memory &memory) : slots_(memory), spare_(memory) {}
 
   // Empties the table and makes room for `count` keys.
   void reset(size_t count);
   // The slot of a key: empty if the table does not hold it. Fill it in to insert. Valid until the next call.
-  Slot &locate(uint64_t key);
+  Slot &locate(const Key &key);
   // Tells the processor that locate(key) will follow soon.
-  void prefetch(uint64_t key) const { __builtin_prefetch(slots() + home(key)); }
+  void prefetch(const Key &key) const { __builtin_prefetch(slots() + home(key)); }
 
   // Slots passed over since the last reset, of all seeds.
   uint64_t steps() const { return steps_ + former_steps_; }
   // Where the search for a key begins with the seed that each reset starts from.
-  static uint64_t first_hash(uint64_t key) { return mix(key ^ kFirstSeed); }
+  static uint64_t first_hash(const Key &key) { return hash(key, kFirstSeed); }
 
  private:
   static constexpr uint64_t kFirstSeed = 0x243f6a8885a308d3;
 
-  // Two rounds of multiply and fold; every bit of the result depends on every bit of the key.
-  static uint64_t mix(uint64_t x) {
-    x ^= x >> 32;
-    x *= 0xd6e8feb86659fd93;
-    x ^= x >> 32;
-    x *= 0xd6e8feb86659fd93;
-    return x ^ x >> 32;
-  }
-  size_t home(uint64_t key) const { return scale_hash(mix(key ^ seed_), capacity_); }
+  size_t home(const Key &key) const { return scale_hash(hash(key, seed_), capacity_); }
   Slot *slots() { return swapped_ ? spare_.data() : slots_.data(); }
   const Slot *slots() const { return swapped_ ? spare_.data() : slots_.data(); }
   void reseed();
