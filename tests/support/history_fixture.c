@@ -110,8 +110,13 @@ static hg_status act(hg_grid **grid) {
   return watched_call(watched, MANY, many_pairs());
 }
 static void unchanged(hg_grid *grid) {
+  const hg_pair *pairs;
+  const int64_t *places;
+  size_t count;
   (void)grid;
   assert_history(watched);
+  assert_ok(hg_history_ended(watched, &pairs, &places, &count));
+  assert_true(count == 2 && pairs[0].a == 7 && pairs[0].b == 9 && places[0] == 1 && places[1] == 3);
 }
 static void done(hg_grid *grid) {
   (void)grid;
