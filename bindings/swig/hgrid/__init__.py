@@ -38,6 +38,7 @@ from .capi import (
     HG_ORDER_ID,
     hg_version as _hg_version,
 )
+from .atoms import neighbor_list
 from .errors import ArgumentError, Error, LimitError, NotFoundError, OutOfMemoryError, StateError
 from .grid import Grid
 from .history import History
@@ -64,5 +65,6 @@ __all__ = [name for name in dir() if name.startswith("HG_")] + [
     "OutOfMemoryError",
     "StateError",
     "Stats",
+    "neighbor_list",
     "version",
 ]

@@ -24,12 +24,28 @@ def _rows(values, shape):
     return array.reshape((0, *shape[1:])) if array.shape == (0,) and isinstance(shape[0], str) else array
 
 
+def _index_text(index):
+    return "".join(f"[{k}]" for k in index)
+
+
+def _check_doubles(array, name):
+    """Refuses integers that no double holds: those of more than 53 bits from the first to the last that is set."""
+    magnitude = np.where(array < 0, -array, array).astype(np.uint64)
+    large = magnitude > 2**53
+    lowest = magnitude[large] & -magnitude[large]
+    for place in np.flatnonzero(magnitude[large] // lowest > 2**53)[:1]:
+        index = tuple(np.argwhere(large)[place])
+        raise ArgumentError(f"{name}{_index_text(index)} = {array[index]}: a double cannot hold it exactly")
+
+
 def reals(values, name, shape):
     """`values` as a contiguous float64 array of that shape; copied only if it is not one already."""
     array = _rows(values, shape)
     check_shape(array, name, shape)
     if not np.can_cast(array.dtype, np.float64, casting="same_kind"):
         raise TypeError(f"{name} must hold real numbers, not {array.dtype}")
+    if array.dtype.kind in "iu" and array.dtype.itemsize == 8:
+        _check_doubles(array, name)
     return np.require(array, np.float64, ["C_CONTIGUOUS", "ALIGNED"])
 
 
@@ -43,7 +59,7 @@ def _integers(array, name, kind, refuse):
     outside = np.argwhere((array < limits.min) | (array > limits.max))
     if outside.size > 0:
         index = tuple(outside[0])
-        refuse("".join(f"[{k}]" for k in index), array[index])
+        refuse(_index_text(index), array[index])
     return np.require(array, kind, ["C_CONTIGUOUS", "ALIGNED"])
 
 
