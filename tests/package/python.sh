@@ -11,3 +11,5 @@ cd /
 PYTHONPATH=$2
 export PYTHONPATH
 expect_contacts 0 "$1" "$3"
+# Tools know its version.
+"$1" -c 'import importlib.metadata as metadata, hgrid; assert metadata.version("hgrid") == hgrid.__version__'

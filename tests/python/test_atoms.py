@@ -185,7 +185,7 @@ class BesideAse(unittest.TestCase):
     def test_the_same_list(self):
         rng = np.random.default_rng(15)
         cutoffs = (2.5, rng.uniform(0, 1.5, size=20), {("C", "H"): 2.1, (1, 1): 1.0, ("O", 6): 3.0})
-        for trial in range(40):
+        for trial in range(12):
             atoms = Atoms(
                 numbers=rng.choice([1, 6, 8], size=20),
                 positions=rng.normal(size=(20, 3)) * 3,

@@ -50,7 +50,7 @@ def reals(values, name, shape):
 
 
 def _integers(array, name, kind, refuse):
-    """`array` as contiguous integers of that kind; refuse(index, value) raises for the first value that does not fit."""
+    """`array` as contiguous integers of that kind; refuse(index, value) raises for the first that does not fit."""
     if array.size == 0:
         return np.empty(array.shape, dtype=kind)
     if array.dtype.kind not in "iu":

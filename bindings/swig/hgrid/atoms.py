@@ -195,15 +195,15 @@ def neighbor_list(
         d: its length, float64 of shape (m,).
     a: atoms, an object with positions, cell, pbc and, where cutoff is by kinds, numbers or symbols, such as ase.Atoms;
         or their positions alone, shape (n, 3).
-    cutoff: a number; or a radius for each atom, shape (n,): the cutoff of two atoms is then the sum of their radii; or a
-        dictionary of cutoffs by pairs of kinds, {("C", "H"): 1.3, (1, 1): 1.0}, or of radii by kinds, {"C": 0.8}. A
+    cutoff: a number; or a radius for each atom, shape (n,): the cutoff of two atoms is then the sum of their radii; or
+        a dictionary of cutoffs by pairs of kinds, {("C", "H"): 1.3, (1, 1): 1.0}, or of radii by kinds, {"C": 0.8}. A
         kind is an atomic number, the symbol of an element, or any other name that numbers or symbols hold. Kinds that
         are not named have no neighbours.
     self_interaction: whether each atom is a neighbour of itself, with S = 0, if its cutoff is not 0.
     max_nbins: has no effect; ASE's function has it.
-    positions, cell, pbc, numbers: what `a` would tell, or in place of what it tells. cell: the edges, one a row, or three
-        lengths; edges of open axes do not matter. pbc: one truth value for each axis, or one for all; False by default.
-        numbers: the kinds, shape (n,), numbers or names.
+    positions, cell, pbc, numbers: what `a` would tell, or in place of what it tells. cell: the edges, one a row, or
+        three lengths; edges of open axes do not matter. pbc: one truth value for each axis, or one for all; False by
+        default. numbers: the kinds, shape (n,), numbers or names.
 
     The list is in ascending order of i, then of j. Returns one array for each letter, in a tuple if there are several.
     Errors: ArgumentError, a ValueError, names what cannot be used, such as a negative cutoff, periodic edges that do

@@ -70,7 +70,14 @@ class Grid:
     are no pair.
 
     Arrays may have any real type, order and strides. They are copied in, and results are copies that belong to you:
-    they stay as they are whatever happens to the grid.
+    they stay as they are whatever happens to the grid. Empty lists are fine. All lengths (x, r, box, tilt, margin, skin,
+    vectors, reach) are in one unit, which is yours to choose.
+
+    Errors, of every method: ArgumentError, a ValueError, for a wrong shape or a value out of range, such as a NaN, a
+    negative radius, an integer that no double holds or a box too short for its particles, naming its index;
+    TypeError for arrays that hold no numbers; StateError once the grid is closed or from inside a visitor of its own;
+    LimitError for more particles than 2^31 - 1 or places too far apart; OutOfMemoryError. A call that fails has
+    changed nothing.
 
     A grid may be used from several threads: calls on one grid wait for each other, those on different grids do not.
     build, query_pairs, query_neighbors, visit_pairs, visit_contacts, order, levels and level_costs run without the
@@ -236,7 +243,7 @@ class Grid:
         self._call(capi.hg_remove, arrays.ids(ids, "ids"))
 
     def clear(self):
-        """Removes all particles; ids start anew at index_base."""
+        """Removes all particles; ids start anew at index_base. Memory, box and the table of group pairs stay."""
         self._call(capi.hg_clear)
 
     def build(self):

@@ -23,11 +23,11 @@ class History:
         spring = history.carry(spring)        # one item for each pair of the new list, zero for new ones
 
     Pairs have shape (m, 2) and may be in any order; (a, b) is not (b, a). Any 32-bit integers will do, so that contacts
-    with walls may stand in the same list, under ids that no particle has. Where two particles have several contacts at a
-    time, lists of shape (m, 3) tell them apart by a third number, a sub-key that stays the same while the contact lasts:
-    the number of a triangle of a wall, a place on a clump, or which periodic image it is (the shifts of
-    Grid.query_pairs tell that for positions that are never wrapped into the box). They may hold any 64-bit integers.
-    Lists of both shapes may follow one another: (a, b) is (a, b, 0).
+    with walls may stand in the same list, under ids that no particle has. Where two particles have several contacts at
+    a time, lists of keys, shape (m, 3), tell them apart by a third number, a sub-key that stays the same while the
+    contact lasts: the number of a triangle of a wall, a place on a clump, or which periodic image it is (the shifts of
+    Grid.query_pairs tell that for positions that are never wrapped into the box). Keys may hold any 64-bit integers.
+    Lists of both kinds may follow one another: (a, b) is (a, b, 0).
 
     Lists are copied, results belong to you. A history may be used from several threads; calls on one history wait for
     each other.
@@ -84,7 +84,7 @@ class History:
 
     @property
     def pairs(self):
-        """The remembered list as it was given, int32 of shape (m, 2) or int64 of shape (m, 3), e.g. for a checkpoint."""
+        """The remembered list as it was given, int32 (m, 2) or int64 (m, 3), e.g. for a checkpoint."""
         with self._lock:
             call = _by_kind(self._shape, capi.hg_history_pairs, capi.hg_history_keys)
             return arrays.copy_out(call(self._handle))
