@@ -21,19 +21,6 @@ class Accepted(unittest.TestCase):
         self.x, self.r = polydisperse(61, 120)
         self.wanted = exact_pairs(self.x, self.r)
 
-    def test_integers_that_no_double_holds(self):
-        held = np.array([0, 1, -1, 2**53, -(2**53), 2**53 + 2, 2**62 + 2**10, -(2**63), 2**63 - 2**10])
-        for value in (2**53 + 1, -(2**53) - 1, 2**62 + 2**9, 2**63 - 1, 2**63 + 1, 2**64 - 1):
-            x = np.zeros((5, 3), dtype=np.int64 if value < 2**63 else np.uint64)
-            x[3, 1] = value
-            with self.subTest(value=value):
-                text = rf"x\[3\]\[1\] = {value}: a double cannot hold it exactly"
-                self.assertRaisesRegex(hgrid.ArgumentError, text, self.grid.move, x)
-        hgrid.arrays.reals(held, "held", (len(held),))
-        hgrid.arrays.reals(np.array([2**63, 2**64 - 2**11], dtype=np.uint64), "held", (2,))
-        text = r"center\[2\] = 9007199254740993"
-        self.assertRaisesRegex(hgrid.ArgumentError, text, self.grid.query_sphere, [0, 0, 2**53 + 1], 1)
-
     def test_types(self):
         whole_x = np.floor(20 * self.x)
         whole_r = np.ceil(10 * self.r)
@@ -113,6 +100,19 @@ class Refused(unittest.TestCase):
         self.refuse_shape(lambda: hgrid.Grid(periodic=(True,)), "periodic must have shape (3,), not (1,)")
         self.refuse_shape(lambda: hgrid.Grid(cell_sizes=[[1]]), "cell_sizes must have shape (level_count,), not (1, 1)")
         self.assertEqual(grid.stats.particle_count, 5)
+
+    def test_integers_that_no_double_holds(self):
+        held = np.array([0, 1, -1, 2**53, -(2**53), 2**53 + 2, 2**62 + 2**10, -(2**63), 2**63 - 2**10])
+        for value in (2**53 + 1, -(2**53) - 1, 2**62 + 2**9, 2**63 - 1, 2**63 + 1, 2**64 - 1):
+            x = np.zeros((5, 3), dtype=np.int64 if value < 2**63 else np.uint64)
+            x[3, 1] = value
+            with self.subTest(value=value):
+                text = rf"x\[3\]\[1\] = {value}: a double cannot hold it exactly"
+                self.assertRaisesRegex(hgrid.ArgumentError, text, self.grid.move, x)
+        hgrid.arrays.reals(held, "held", (len(held),))
+        hgrid.arrays.reals(np.array([2**63, 2**64 - 2**11], dtype=np.uint64), "held", (2,))
+        text = r"center\[2\] = 9007199254740993"
+        self.assertRaisesRegex(hgrid.ArgumentError, text, self.grid.query_sphere, [0, 0, 2**53 + 1], 1)
 
     def test_types(self):
         for wrong in (self.x.astype(complex), self.x.astype(str), self.x.astype(object), self.x.astype("M8[s]")):
