@@ -8,8 +8,8 @@
 import sys
 import time
 
-import hgrid
 import numpy as np
+from hgrid import neighbor_list
 
 
 # %% The atoms, with the attributes of ase.Atoms that are used here
@@ -26,16 +26,6 @@ def make_liquid(count, density, rng):
     lattice = np.stack(np.meshgrid(*[np.arange(side)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)[:count]
     positions = (lattice + rng.uniform(-0.05, 0.05, (count, 3))) / density ** (1 / 3)
     return Atoms(positions, np.diag([side / density ** (1 / 3)] * 3), (True, True, True))
-
-
-# %% Neighbour lists
-def neighbor_list(quantities, atoms, cutoff):
-    """i, j and the shifts S of all |x_j + S cell - x_i| < cutoff, as ase.neighborlist.neighbor_list("ijS", ...)."""
-    with hgrid.Grid(box=atoms.cell, periodic=atoms.pbc, interaction="max_range") as grid:
-        grid.set(atoms.positions, np.full(len(atoms), cutoff))
-        pairs, S = grid.query_pairs(shifts=True)
-    (a, b) = pairs.T
-    return np.concatenate((a, b)), np.concatenate((b, a)), np.concatenate((S, -S))
 
 
 # %% Lennard-Jones forces
