@@ -364,14 +364,15 @@ void Grid::make_rows_locked(int32_t list) {
   if (rows_made_[list]) return;
   NeighborRows &rows = rows_[list];
   const hg_pair *pairs = pairs_.data();
+  const bool ascending = definition_.pair_order == HG_ORDER_ID;
   if (store_.contiguous()) {
-    rows.build(pairs, pairs_.count(), store_.slots(), store_.id_offset(), list);
+    rows.build(pairs, pairs_.count(), store_.slots(), store_.id_offset(), list, ascending);
   } else {
     by_slot_.require_room(pairs_.count());
     for (size_t p = 0; p < pairs_.count(); p++) {
       by_slot_[p] = {static_cast<int32_t>(store_.find(pairs[p].a)), static_cast<int32_t>(store_.find(pairs[p].b))};
     }
-    rows.build(by_slot_.data(), pairs_.count(), store_.slots(), 0, list);
+    rows.build(by_slot_.data(), pairs_.count(), store_.slots(), 0, list, ascending);
     const auto count = static_cast<size_t>(rows.offsets()[store_.slots()]);
     for (size_t k = 0; k < count; k++) rows.neighbors()[k] = store_.id(static_cast<size_t>(rows.neighbors()[k]));
   }

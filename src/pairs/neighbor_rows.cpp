@@ -22,13 +22,30 @@ void sort_row(int32_t *begin, int32_t *end) {
   }
 }
 
+// The half list of ascending pairs: their second particles as they stand.
+void cut_into_rows(const hg_pair *pairs, size_t pair_count, size_t row_count, int32_t base, int64_t *offset,
+                   int32_t *neighbors) {
+  size_t p = 0;
+  for (size_t row = 0; row < row_count; row++) {
+    offset[row] = static_cast<int64_t>(p);
+    const int32_t a = static_cast<int32_t>(row) + base;
+    for (; p < pair_count && pairs[p].a == a; p++) neighbors[p] = pairs[p].b;
+  }
+  offset[row_count] = static_cast<int64_t>(p);
+}
+
 }  // namespace
 
-void NeighborRows::build(const hg_pair *pairs, size_t pair_count, size_t row_count, int32_t base, int32_t list) {
+void NeighborRows::build(const hg_pair *pairs, size_t pair_count, size_t row_count, int32_t base, int32_t list,
+                         bool ascending) {
   const bool full = list == HG_FULL;
   offsets_.require(row_count + 1);
   neighbors_.require_room(std::max<size_t>(1, full ? 2 * pair_count : pair_count));
   int64_t *offset = offsets_.data();
+  if (ascending && !full) {
+    cut_into_rows(pairs, pair_count, row_count, base, offset, neighbors_.data());
+    return;
+  }
   std::fill(offset, offset + row_count + 1, int64_t{0});
   for (size_t p = 0; p < pair_count; p++) {
     offset[pairs[p].a - base]++;

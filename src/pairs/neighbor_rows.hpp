@@ -17,8 +17,8 @@ class NeighborRows {
   explicit NeighborRows(Memory &memory) : offsets_(memory), neighbors_(memory) {}
 
   // Pairs of slots + `base`, a < b, into rows by slot; neighbours keep the base and ascend within each row.
-  // O(rows + pairs) but for sorting within rows.
-  void build(const hg_pair *pairs, size_t pair_count, size_t row_count, int32_t base, int32_t list);
+  // O(rows + pairs) but for sorting within rows. `ascending`: the pairs are, so that the half list is one pass.
+  void build(const hg_pair *pairs, size_t pair_count, size_t row_count, int32_t base, int32_t list, bool ascending);
 
   const int64_t *offsets() const { return offsets_.data(); }
   int32_t *neighbors() { return neighbors_.data(); }

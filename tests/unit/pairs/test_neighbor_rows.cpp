@@ -33,17 +33,20 @@ void check_any(uint64_t seed) {
   for (int pass = 0; pass < 3; pass++) {
     const int count = rng.integer(0, 300);
     const int32_t base = rng.integer(0, 1);
-    const std::vector<hg_pair> pairs = any_pairs(rng, count, base);
+    std::vector<hg_pair> pairs = any_pairs(rng, count, base);
     Rows half(static_cast<size_t>(count)), full(static_cast<size_t>(count));
     for (const hg_pair &p : pairs) {
       half[static_cast<size_t>(p.a - base)].insert(p.b);
       full[static_cast<size_t>(p.a - base)].insert(p.b);
       full[static_cast<size_t>(p.b - base)].insert(p.a);
     }
-    rows.build(pairs.data(), pairs.size(), half.size(), base, HG_FULL);
-    require_rows(rows, full);
-    rows.build(pairs.data(), pairs.size(), half.size(), base, HG_HALF);
-    require_rows(rows, half);
+    for (const bool ascending : {false, true}) {
+      rows.build(pairs.data(), pairs.size(), half.size(), base, HG_FULL, ascending);
+      require_rows(rows, full);
+      rows.build(pairs.data(), pairs.size(), half.size(), base, HG_HALF, ascending);
+      require_rows(rows, half);
+      std::sort(pairs.begin(), pairs.end(), [](hg_pair p, hg_pair q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+    }
   }
 }
 
@@ -53,8 +56,10 @@ void no_rows(void **) {
   assert_true(holds(0, [](uint64_t) {
     hg::Memory memory(hg::system_allocator());
     NeighborRows rows(memory);
-    rows.build(nullptr, 0, 0, 0, HG_FULL);
-    require(rows.offsets()[0] == 0 && rows.neighbors() != nullptr, "empty rows must be readable");
+    for (const int32_t list : {HG_HALF, HG_FULL}) {
+      rows.build(nullptr, 0, 0, 0, list, true);
+      require(rows.offsets()[0] == 0 && rows.neighbors() != nullptr, "empty rows must be readable");
+    }
   }));
 }
 
