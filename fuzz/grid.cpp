@@ -114,7 +114,7 @@ class Session {
 
   void run() {
     for (int call = 0; call < kMostCalls && !bytes_.empty(); call++) {
-      switch (bytes_.below(12)) {
+      switch (bytes_.below(14)) {
         case 0:
         case 1:
         case 2:
@@ -137,7 +137,7 @@ class Session {
           ask_spheres();
           break;
         case 9:
-          bytes_.below(2) == 0 ? look_inside() : ask_shapes();
+          look_inside();
           break;
         case 10:
           if (bytes_.below(4) == 0) {
@@ -145,6 +145,12 @@ class Session {
           } else {
             set_box();
           }
+          break;
+        case 11:
+          ask_shapes();
+          break;
+        case 12:
+          change_company();
           break;
         default:
           ask_pairs();
@@ -200,8 +206,7 @@ class Session {
     const hg_array radius = {particles.radii.data(), sizeof(double), HG_REAL64, 0};
     if (takes([&] { grid_.set_arrays(particles.count(), centers, &radius); })) {
       expect(GridModel::may_hold(def_, particles), "a bad set is taken");
-      model_.clear();
-      model_.insert(particles);
+      model_.set(particles);
     } else {
       expect(!GridModel::must_hold(def_, particles), "a good set is refused");
     }
@@ -222,6 +227,24 @@ class Session {
   void clear() {
     grid_.clear();
     model_.clear();
+  }
+
+  // Other groups or bodies for some, or another entry in the table of groups.
+  void change_company() {
+    hgtest::Company &company = model_.company();
+    const auto group = [&] { return bytes_.below(8) == 0 ? bytes_.byte() % HG_MAX_GROUPS : bytes_.below(3); };
+    const int what = bytes_.below(3);
+    if (what == 0) {
+      const int a = group(), b = group();
+      company.set_pair(grid_, a, b, bytes_.below(2) == 1);
+      return;
+    }
+    for (int n = bytes_.below(8); n > 0 && model_.size() > 0; n--) {
+      hgtest::Member &member = company.members[bytes_.byte() % model_.size()];
+      if (what == 1) member.group = group() - (bytes_.below(4) == 0 ? 1 : 0);
+      if (what == 2) member.body = bytes_.below(4) - 1;
+    }
+    what == 1 ? company.tell_groups(grid_) : company.tell_bodies(grid_);
   }
 
   // Another box, or one little different.
@@ -360,6 +383,7 @@ class Session {
       if (def_.accuracy == HG_DOUBLE) return;  // its squares may overflow, and infinite ones touch
       for (size_t row = 0; row < model_.size(); row++) {
         const Particles &particles = model_.particles();
+        if (model_.company().is_absent(row)) continue;
         const bool found = std::binary_search(ids.begin(), ids.end(), model_.ids()[row]);
         expect(grid_.overlap(center, radius, particles.center(row), particles.radii[row]) == found,
                "hg_overlap and hg_query_sphere do not agree");
@@ -371,12 +395,12 @@ class Session {
     grid_.build();
     int64_t particles = 0;
     for (const hg_level &level : grid_.query_levels()) particles += level.particle_count;
-    expect(particles == static_cast<int64_t>(model_.size()), "the levels do not hold all particles");
+    expect(particles == static_cast<int64_t>(model_.company().present()), "the levels do not hold all particles");
     grid_.query_level_costs();
     const hgrid::View<int32_t> order = grid_.query_order();
     expect(std::is_permutation(order.begin(), order.end(), model_.ids().begin(), model_.ids().end()),
            "the order along space has other ids");
-    expect(grid_.get_stats().particle_count == particles, "the number of particles is wrong");
+    expect(grid_.get_stats().particle_count == static_cast<int64_t>(model_.size()), "the number of particles is wrong");
   }
 
   Bytes &bytes_;

@@ -87,6 +87,15 @@ void GridModel::insert(const particles::ParticleSet &particles) {
     particles_.add(particles.center(row), particles.radii[row]);
     ids_.push_back(next_id_++);
   }
+  company_.members.resize(ids_.size());
+}
+
+void GridModel::set(const particles::ParticleSet &particles) {
+  company_.set_count(particles.count());
+  const hgtest::Company kept = company_;
+  clear();
+  insert(particles);
+  company_ = kept;
 }
 
 void GridModel::move(const std::vector<double> &centers, const std::vector<double> *radii) {
@@ -102,13 +111,16 @@ bool GridModel::remove(const std::vector<int32_t> &ids) {
   particles::ParticleSet left;
   left.dimension = particles_.dimension;
   std::vector<int32_t> left_ids;
+  std::vector<bool> kept;
   for (size_t row = 0; row < ids_.size(); row++) {
-    if (std::binary_search(gone.begin(), gone.end(), ids_[row])) continue;
+    kept.push_back(!std::binary_search(gone.begin(), gone.end(), ids_[row]));
+    if (!kept[row]) continue;
     left.add(particles_.center(row), particles_.radii[row]);
     left_ids.push_back(ids_[row]);
   }
   particles_ = left;
   ids_ = left_ids;
+  company_.keep(kept);
   return true;
 }
 
@@ -117,6 +129,7 @@ void GridModel::clear() {
   particles_.radii.clear();
   ids_.clear();
   next_id_ = def_.index_base;
+  company_.members.clear();
 }
 
 size_t GridModel::row_of(int32_t id) const {
@@ -148,6 +161,13 @@ bool GridModel::can_check(const particles::ParticleSet &particles) const {
   return images * static_cast<double>(particles.count() * particles.count()) < 1e5;
 }
 
+Pairs GridModel::expected_pairs(oracle::Rule *rule) const {
+  Pairs expected = oracle::all_pairs(def_, particles_, ids_, rule);
+  const auto is_none = [&](const hg_pair &pair) { return !company_.may_pair(row_of(pair.a), row_of(pair.b)); };
+  expected.erase(std::remove_if(expected.begin(), expected.end(), is_none), expected.end());
+  return expected;
+}
+
 void GridModel::check_pairs(Pairs pairs) const {
   std::sort(pairs.begin(), pairs.end(), oracle::pair_less);
   const bool all_images = def_.images == HG_ALL_IMAGES;
@@ -157,12 +177,11 @@ void GridModel::check_pairs(Pairs pairs) const {
     expect(pair.a < pair.b || (all_images && pair.a == pair.b), "a pair is not a < b");
     expect(std::binary_search(ids_.begin(), ids_.end(), pair.a), "a pair has an unknown a");
     expect(std::binary_search(ids_.begin(), ids_.end(), pair.b), "a pair has an unknown b");
+    expect(company_.may_pair(row_of(pair.a), row_of(pair.b)), "a pair of groups or of a body that has none");
   }
   const Promise held = promise(particles_);
   if (held == Promise::kSane || !can_check(particles_)) return;
-  const bool plain = held == Promise::kDouble;
-  const Pairs expected =
-      oracle::all_pairs(def_, particles_, ids_, plain ? oracle::double_interact : oracle::exact_interact);
+  const Pairs expected = expected_pairs(held == Promise::kDouble ? oracle::double_interact : oracle::exact_interact);
   const oracle::Difference wrong = oracle::difference(expected, pairs);
   expect(wrong.missing.empty(), "a pair is missing");
   for (const hg_pair &pair : wrong.extra) {
@@ -179,11 +198,13 @@ void GridModel::check_row(const std::vector<int32_t> &ids) const {
   expect(std::is_sorted(ids.begin(), ids.end()), "ids of a row do not ascend");
   expect(std::adjacent_find(ids.begin(), ids.end()) == ids.end(), "an id of a row comes twice");
   expect(std::includes(ids_.begin(), ids_.end(), ids.begin(), ids.end()), "a row has an unknown particle");
+  for (const int32_t id : ids) expect(!company_.is_absent(row_of(id)), "a row has an absent particle");
 }
 
 void GridModel::check_box(const double *low, const double *high, const std::vector<int32_t> &ids) const {
   check_row(ids);
   for (size_t row = 0; row < ids_.size(); row++) {
+    if (company_.is_absent(row)) continue;
     const bool found = std::binary_search(ids.begin(), ids.end(), ids_[row]);
     const bool wanted = oracle::box_meets(def_, low, high, {particles_.center(row), particles_.radii[row]});
     expect(found == wanted, found ? "a box meets a particle too many" : "a box misses a particle");
@@ -194,6 +215,7 @@ void GridModel::check_box(const double *low, const double *high, const std::vect
 void GridModel::check_triangle(const double *corners, const std::vector<int32_t> &ids) const {
   check_row(ids);
   for (size_t row = 0; row < ids_.size(); row++) {
+    if (company_.is_absent(row)) continue;
     const Sphere particle = {particles_.center(row), particles_.radii[row]};
     const double reach = particle.radius + def_.margin;
     double largest = 0, images = 1;
@@ -219,6 +241,7 @@ void GridModel::check_sphere(const Sphere &sphere, const int32_t *ids, size_t co
   const Promise held = promise(with_sphere);
   if (held == Promise::kSane || held == Promise::kFloat || !can_check(with_sphere)) return;
   for (size_t row = 0; row < ids_.size(); row++) {
+    if (company_.is_absent(row)) continue;
     const Sphere particle = {particles_.center(row), particles_.radii[row]};
     const bool found = std::binary_search(ids, ids + count, ids_[row]);
     const bool wanted = oracle::meets(def_, sphere, particle,

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "oracle/pairs.hpp"
+#include "tests/support/company.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -22,6 +23,8 @@ class GridModel {
   particles::ParticleSet particles_and(const particles::ParticleSet &more) const;
 
   void insert(const particles::ParticleSet &particles);
+  // These alone, with ids that start anew.
+  void set(const particles::ParticleSet &particles);
   void move(const std::vector<double> &centers, const std::vector<double> *radii);
   // False, and nothing happens, if an id is unknown or comes twice.
   bool remove(const std::vector<int32_t> &ids);
@@ -31,6 +34,7 @@ class GridModel {
   size_t size() const { return ids_.size(); }
   const particles::ParticleSet &particles() const { return particles_; }
   const std::vector<int32_t> &ids() const { return ids_; }
+  hgtest::Company &company() { return company_; }
 
   // Whether the oracle can look at all images of these particles, and the sphere, in little time.
   bool can_check(const particles::ParticleSet &particles) const;
@@ -47,11 +51,13 @@ class GridModel {
   Promise promise(const particles::ParticleSet &particles) const;
   size_t row_of(int32_t id) const;
   void check_row(const std::vector<int32_t> &ids) const;
+  oracle::Pairs expected_pairs(oracle::Rule *rule) const;
 
   hg_grid_def def_;
   particles::ParticleSet particles_;
   std::vector<int32_t> ids_;
   int32_t next_id_;
+  hgtest::Company company_;
 };
 
 }  // namespace fuzz

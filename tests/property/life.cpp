@@ -67,7 +67,7 @@ void Life::run(int steps) {
   compare();
   for (int step = 0; step < steps; step++) {
     if (rng_.chance(box_changes_)) change_box();
-    if (rng_.chance(company_changes_)) company_.change(rng_, grid_);
+    if (rng_.chance(company_changes_)) change_company(rng_, company_, grid_);
     switch (rng_.chance(calm) ? 10 : rng_.below(11)) {
       case 0:
       case 1:
@@ -116,7 +116,7 @@ void Life::insert() {
   if (!take("insert", scene_.def, grown, call)) return;
   live_ = grown;
   while (ids_.size() < live_.count()) ids_.push_back(next_id_++);
-  company_.resize(live_.count());
+  company_.members.resize(live_.count());
 }
 
 // As many as before, or others.
@@ -133,7 +133,7 @@ void Life::set() {
   }
   const auto call = [&] { grid_.set(next.count(), next.centers.data(), next.radii.data()); };
   if (!take("set", scene_.def, next, call)) return;
-  if (next.count() != live_.count()) company_ = company_.of(next.count());
+  company_.set_count(next.count());
   live_ = next;
   ids_.resize(live_.count());
   std::iota(ids_.begin(), ids_.end(), scene_.def.index_base);
@@ -189,7 +189,7 @@ void Life::clear() {
   live_.radii.clear();
   ids_.clear();
   next_id_ = scene_.def.index_base;
-  company_.resize(0);
+  company_.members.clear();
 }
 
 hg_grid_def Life::changed_box() {

@@ -4,7 +4,7 @@
 // its answers are compared with those of the oracle.
 #pragma once
 
-#include "tests/property/company.hpp"
+#include "tests/property/company_changes.hpp"
 #include "tests/support/compare.hpp"
 #include "tests/support/scenes.hpp"
 
