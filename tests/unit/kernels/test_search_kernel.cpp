@@ -30,6 +30,7 @@ class Scene {
     lay();
     make_cluster();
     fill_table();
+    if (rng_.chance(0.5)) give_bodies(particles_);
   }
 
   void check_own_level() {
@@ -136,7 +137,13 @@ class Scene {
       points.add(at, std::min(r, 0x1p30f), kFirstPoint + static_cast<uint32_t>(i));
       points.image.push_back(static_cast<hg::Image>(rng_.below(hg::kImages)));
     }
+    if (!particles_.body.empty()) give_bodies(points);
     points.pad();
+  }
+
+  void give_bodies(Points &points) {
+    for (uint32_t i = 0; i < points.count; i++) points.body.push_back(rng_.integer(-1, 3));
+    points.body.resize(points.count + hg::kPadding);
   }
 
   void fill_table() {
