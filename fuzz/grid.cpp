@@ -201,7 +201,8 @@ class Session {
   void set(const Particles &particles) {
     hg_array centers[3];
     for (int k = 0; k < def_.dimension; k++) {
-      centers[k] = {particles.centers.data() + k, static_cast<int64_t>(sizeof(double)) * def_.dimension, HG_REAL64, 0};
+      const double *first = particles.count() > 0 ? particles.centers.data() + k : nullptr;
+      centers[k] = {first, static_cast<int64_t>(sizeof(double)) * def_.dimension, HG_REAL64, 0};
     }
     const hg_array radius = {particles.radii.data(), sizeof(double), HG_REAL64, 0};
     if (takes([&] { grid_.set_arrays(particles.count(), centers, &radius); })) {
