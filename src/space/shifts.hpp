@@ -25,6 +25,7 @@ struct PlaceBox {
 struct EdgeRange {
   double first, last;
   static EdgeRange within(double low, double high, double length) {
+    if (low <= 0 && high >= 0 && low > -length && high < length) return {0, 0};  // mostly, and without a quotient
     return {std::ceil(low / length), std::floor(high / length)};
   }
   double count() const { return std::max(0.0, last - first + 1); }
