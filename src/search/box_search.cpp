@@ -56,12 +56,12 @@ class ManyBoxes final : public RowSource {
   }
   size_t find(size_t k, Buffer<int32_t> &ids, size_t count) const override {
     const AlignedBox wanted = box(k);
-    double low[3], high[3];
+    double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
     for (int axis = 0; axis < domain_.dimension; axis++) {
       if (is_at_infinity(wanted.low[axis], wanted.high[axis])) return count;
-      const bool all = wanted.covers(domain_, axis);
-      low[axis] = all ? -kInfinity : wanted.low[axis];
-      high[axis] = all ? kInfinity : wanted.high[axis];
+      low[axis] = wanted.low[axis];
+      high[axis] = wanted.high[axis];
+      if (wanted.covers(domain_, axis)) low[axis] = -kInfinity;
     }
     bool may_repeat = false;
     size_t found = count;

@@ -26,14 +26,16 @@ class NearBox {
   int visit(int level, const AlignedBox &box, double reach, Visit &&visit) const {
     const Domain &domain = grid_.index.domain;
     Range range[3] = {};
-    for (int axis = 0; axis < domain.dimension; axis++) {
-      range[axis] = range_of(box, axis, reach * (1 + 0x1p-40));
+    for (int axis = 0; axis < 3; axis++) {
+      if (axis < domain.dimension) range[axis] = range_of(box, axis, reach * (1 + 0x1p-40));
       if (!(range[axis].low <= range[axis].high)) return 0;
     }
     int images = 0;
     Shift moved;
     const auto along = [&](int axis, auto &&next) {
-      for (double n = range[axis].images.first; n <= range[axis].images.last; n++) {
+      const auto count = static_cast<int64_t>(range[axis].images.count());
+      for (int64_t k = 0; k < count; k++) {
+        const double n = range[axis].images.first + static_cast<double>(k);
         moved.n[axis] = static_cast<int32_t>(n - range[axis].taken);
         range[axis].shift = n * domain.length[axis];
         next();
