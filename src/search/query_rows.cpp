@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <vector>
 
 namespace hg {
 namespace {
@@ -63,7 +62,7 @@ const uint64_t *order_along_space(const BuiltGrid &grid, const RowSource &source
   const size_t count = source.count();
   const double longest = *std::max_element(index.map.extent, index.map.extent + 3);
   const double per_quantum = longest > 0 ? (1 << kPlaceBits) / longest : 0;
-  room.require(2 * count);
+  room.require_room(2 * count);
   each_part(grid.threads, count, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; k++) {
       double center[3] = {0, 0, 0};
@@ -74,19 +73,6 @@ const uint64_t *order_along_space(const BuiltGrid &grid, const RowSource &source
   return radix_sort(room.data(), room.data() + count, count, 3 * kPlaceBits,
                     [](uint64_t entry) { return entry >> 32; });
 }
-
-// What one thread finds, on cache lines of its own.
-struct alignas(128) Worker {
-  explicit Worker(Memory &memory) : ids(memory) {}
-  Buffer<int32_t> ids;
-  size_t count = 0;
-};
-
-// Where a row lies until all are known.
-struct FoundRow {
-  size_t begin;
-  int worker;
-};
 
 }  // namespace
 
@@ -100,29 +86,33 @@ size_t ascend_row(Buffer<int32_t> &ids, size_t begin, size_t end, bool may_repea
   return static_cast<size_t>(std::unique(first, last) - ids.data());
 }
 
-void QueryRows::find(const BuiltGrid &grid, const RowSource &source) {
-  const size_t count = source.count();
-  if (count > std::numeric_limits<int32_t>::max()) fail(HG_ERR_LIMIT, "count = %zu: more than 2^31 - 1 queries", count);
+void QueryRows::start(const BuiltGrid &grid, size_t count) {
   if (memory_.bytes() > kMostKept) {
     offsets_.release();
     ids_.release();
+    order_.release();
+    rows_.release();
+    workers_.clear();
   }
   offsets_.require_room(count + 1);
+  rows_.require_room(count);
+  workers_.reserve(static_cast<size_t>(grid.threads));
+  while (workers_.size() < static_cast<size_t>(grid.threads)) workers_.emplace_back(memory_);
+  for (Worker &worker : workers_) worker.count = 0;
+}
 
-  Buffer<uint64_t> room(memory_);
-  Buffer<FoundRow> rows(memory_);
-  rows.require(count);
-  const uint64_t *order = order_along_space(grid, source, room);
-  std::vector<Worker> workers;
-  workers.reserve(static_cast<size_t>(grid.threads));
-  for (int worker = 0; worker < grid.threads; worker++) workers.emplace_back(memory_);
+void QueryRows::find(const BuiltGrid &grid, const RowSource &source) {
+  const size_t count = source.count();
+  if (count > std::numeric_limits<int32_t>::max()) fail(HG_ERR_LIMIT, "count = %zu: more than 2^31 - 1 queries", count);
+  start(grid, count);
+  const uint64_t *order = order_along_space(grid, source, order_);
   parallel_for(grid.threads, (count + kTaskQueries - 1) / kTaskQueries, [&](size_t task, int worker) {
-    Worker &mine = workers[static_cast<size_t>(worker)];
+    Worker &mine = workers_[static_cast<size_t>(worker)];
     const size_t end = std::min(count, (task + 1) * kTaskQueries);
     for (size_t n = task * kTaskQueries; n < end; n++) {
       const size_t k = order[n] & UINT32_MAX, begin = mine.count;
       mine.count = source.find(k, mine.ids, begin);
-      rows[k] = {begin, worker};
+      rows_[k] = {begin, worker};
       offsets_[k + 1] = static_cast<int64_t>(mine.count - begin);
     }
   });
@@ -132,7 +122,7 @@ void QueryRows::find(const BuiltGrid &grid, const RowSource &source) {
   ids_.require_room(static_cast<size_t>(offsets_[count]));
   each_part(grid.threads, count, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; k++) {
-      const int32_t *row = workers[static_cast<size_t>(rows[k].worker)].ids.data() + rows[k].begin;
+      const int32_t *row = workers_[static_cast<size_t>(rows_[k].worker)].ids.data() + rows_[k].begin;
       std::copy_n(row, offsets_[k + 1] - offsets_[k], ids_.data() + offsets_[k]);
     }
   });

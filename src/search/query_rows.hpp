@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace hg {
 
@@ -44,9 +45,26 @@ class QueryRows {
   int64_t kept_bytes() const { return memory_.bytes(); }
 
  private:
+  // What one thread finds, on cache lines of its own.
+  struct alignas(128) Worker {
+    explicit Worker(Memory &memory) : ids(memory) {}
+    Buffer<int32_t> ids;
+    size_t count = 0;
+  };
+  // Where a row lies until all are known.
+  struct FoundRow {
+    size_t begin;
+    int worker;
+  };
+
+  void start(const BuiltGrid &grid, size_t count);
+
   Memory memory_{system_allocator()};
   Buffer<int64_t> offsets_{memory_};
   Buffer<int32_t> ids_{memory_};
+  Buffer<uint64_t> order_{memory_};
+  Buffer<FoundRow> rows_{memory_};
+  std::vector<Worker> workers_;
 };
 
 }  // namespace hg
