@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Many spheres among equal ones at random places: all at once, one by one, and with nanoflann, if it is installed. What
 // is counted is a query and its answer; trees and grids are ready. programs/bench/queries.py times SciPy on the same.
+#include "packing/random.hpp"
 #include "particles/text/output.hpp"
 #include "programs/bench/csv_row.hpp"
 #include "programs/bench/machine.hpp"
@@ -19,7 +20,6 @@
 #include <ctime>
 #include <functional>
 #include <optional>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -44,10 +44,9 @@ struct System {
       : edge(std::cbrt(4.0 / 3.0 * 3.14159265358979 * static_cast<double>(options.count) / options.density)),
         radii(options.count, 1.0),
         query_radii(options.spheres, options.radius) {
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> place(0, edge);
-    for (size_t k = 0; k < 3 * options.count; k++) centers.push_back(place(random));
-    for (size_t k = 0; k < 3 * options.spheres; k++) queries.push_back(place(random));
+    packing::Random random(1);
+    for (size_t k = 0; k < 3 * options.count; k++) centers.push_back(edge * random.uniform());
+    for (size_t k = 0; k < 3 * options.spheres; k++) queries.push_back(edge * random.uniform());
   }
 };
 
