@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -19,6 +20,21 @@ using Vec = Eigen::Matrix<Real, D, 1, Eigen::DontAlign>;
 
 template <int D, class Real>
 using Spin = Eigen::Matrix<Real, D == 3 ? 3 : 1, 1, Eigen::DontAlign>;
+
+// m r^2 / I of a ball, or a disc.
+constexpr double inverse_shape(int dimension) { return dimension == 3 ? 2.5 : 2; }
+
+// Unit vector and length of a separation. Centres that coincide are pushed apart along x, the first to the left.
+template <int D, class Real>
+Real normalize(const Vec<D, Real> &separation, Vec<D, Real> &direction) {
+  const Real distance = std::sqrt(separation.squaredNorm());
+  if (distance > 0) {
+    direction = separation * (1 / distance);
+  } else {
+    direction = Vec<D, Real>::UnitX();
+  }
+  return distance;
+}
 
 // Vector i of those that stand in a row.
 template <class Vector>

@@ -3,7 +3,9 @@
 // The normal force of one contact and its energy, composed at compile time from the effects of the scene.
 //
 // Overlap d, closing speed v = -dd'/dt < 0 while the contact opens, reduced mass mu, reduced radius R.
-//   linear         F = k d + c sqrt(mu) v       c = -2 ln e sqrt(k / (pi^2 + ln^2 e)): restitution e for every pair
+//   linear         F = k d + c sqrt(mu k) v     c = -2 ln e / sqrt(pi^2 + ln^2 e): restitution e for every pair
+//   modulus        the same with k = pi E R: each particle is a column of its own section pi r^2 and length r, of
+//                  stiffness pi E r, and a contact two of them in series
 //   Hertz          F = K d^1.5 + a sqrt(mu K) d^0.25 v,  K = 4/3 E* sqrt(R),  a = -sqrt5 ln e / sqrt(pi^2 + ln^2 e):
 //                  restitution e at every speed (Antypov & Elliott, EPL 94 (2011) 50004)
 //   adhesion       F = k d - F_a for d >= 0, -F_a (1 + d / h) for -h < d < 0: reversible, pull-off force F_a, range h
@@ -27,7 +29,7 @@ struct ContactLaw {
   Real friction = 0, tangential_ratio = 0;  // mu, k_t / k
   Real rolling = 0, rolling_ratio = 0;      // the same of rolling
   Real adhesion_force = 0, range = 0, inverse_range = 0;
-  Real modulus = 0;  // E*
+  Real modulus = 0;  // E* (Hertz), pi E (modulus)
 };
 
 // How far apart surfaces still act on each other.
@@ -36,7 +38,8 @@ inline double contact_range(const Physics &physics) {
 }
 
 // What of a contact the law asks for; the rest of NormalContact is not set.
-constexpr EffectSet kNeedMass = kDissipation, kNeedRadius = kHertz | kRolling, kNeedVelocity = kDissipation | kFriction;
+constexpr EffectSet kNeedMass = kDissipation, kNeedRadius = kHertz | kModulus | kRolling,
+                    kNeedVelocity = kDissipation | kFriction;
 
 // What the normal force depends on.
 template <class Real>
@@ -79,9 +82,11 @@ NormalForce<Real> normal_force(const ContactLaw<Real> &law, const NormalContact<
     if constexpr (has(E, kDissipation))
       force.damping = law.damping * std::sqrt(reduced_mass(contact) * force.stiffness * (Real(2) / 3));
   } else {
-    force.stiffness = law.stiffness;
-    force.value = law.stiffness * contact.overlap;
-    if constexpr (has(E, kDissipation)) force.damping = law.damping * std::sqrt(reduced_mass(contact));
+    force.stiffness = has(E, kModulus) ? law.modulus / contact.inverse_radius : law.stiffness;
+    force.value = force.stiffness * contact.overlap;
+    if constexpr (has(E, kDissipation)) {
+      force.damping = law.damping * std::sqrt(reduced_mass(contact) * (has(E, kModulus) ? force.stiffness : Real(1)));
+    }
   }
   // Over a whole contact the dashpot's impulse is 0, so friction that the spring alone bounds takes exactly its
   // coefficient times the normal impulse from a contact that slides throughout.
@@ -122,6 +127,12 @@ inline void set_moduli(const ContactParameters &p, Partner partner, double &norm
   tangential = 1 / shear_sum;
 }
 
+// Of the linear contact of two particles.
+inline double linear_stiffness(const Physics &physics, double radius, double other) {
+  const ContactParameters &p = physics.contact;
+  return has(physics.effects, kModulus) ? kPi * p.modulus / (1 / radius + 1 / other) : p.stiffness;
+}
+
 template <class Real>
 ContactLaw<Real> make_law(const Physics &physics, Partner partner) {
   const ContactParameters &p = physics.contact;
@@ -135,6 +146,12 @@ ContactLaw<Real> make_law(const Physics &physics, Partner partner) {
     law.damping = static_cast<Real>(std::sqrt(5.0) * loss);
     // k_t / k_n at any overlap: 8 G* a over 2 E* a.
     law.tangential_ratio = static_cast<Real>(4 * tangential / normal);
+  } else if (has(physics.effects, kModulus)) {
+    // Of a wall, the column under the particle: as wide and as long.
+    const bool yields = partner == Partner::kWall && p.wall_modulus > 0;
+    law.modulus = static_cast<Real>(kPi / (1 / p.modulus + (yields ? 1 / p.wall_modulus : 0)));
+    law.damping = static_cast<Real>(2 * loss);
+    law.tangential_ratio = static_cast<Real>(p.tangential_stiffness);
   } else {
     law.stiffness = static_cast<Real>(p.stiffness);
     law.damping = static_cast<Real>(2 * loss * std::sqrt(p.stiffness));

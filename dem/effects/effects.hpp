@@ -21,8 +21,9 @@ enum Effect : unsigned {
   kShear = 1u << 6,        // Lees-Edwards: the images along y move along x
   kWalls = 1u << 7,        // at least one axis ends in walls
   kGravity = 1u << 8,
-  kDrag = 1u << 9,    // Stokes drag of a fluid at rest
-  kGrowth = 1u << 10  // radii grow with time
+  kDrag = 1u << 9,     // Stokes drag of a fluid at rest
+  kGrowth = 1u << 10,  // radii grow with time
+  kModulus = 1u << 11  // linear springs whose stiffness follows from a modulus and the sizes
 };
 using EffectSet = unsigned;
 
@@ -32,7 +33,9 @@ constexpr bool has(EffectSet set, EffectSet effects) { return (set & effects) !=
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct ContactParameters {
-  double stiffness = 0;                   // k, force per length (linear)
+  double stiffness = 0;                   // k, force per length, of every contact (linear)
+  double modulus = 0;                     // E of the particles (modulus)
+  double wall_modulus = 0;                // 0: rigid walls
   double restitution = 1;                 // e (dissipation)
   double friction = 0;                    // mu
   double tangential_stiffness = 2.0 / 7;  // k_t / k (linear friction): both springs of a sphere then swing alike
@@ -57,7 +60,8 @@ struct Physics {
   double growth_rate = 0;         // of all radii relative to those at the start, per time (growth)
   double growth_end = kInfinity;  // time when growth stops
   double shear_rate = 0;          // du_x / dy (shear)
-  double impact_speed = 0;        // the fastest approach, for the time step; 0: that of the initial velocities (hertz)
+  double impact_speed = 0;        // the fastest approach, for the time step; 0: by the energy at the start
+                                  // (hertz, adhesion)
 };
 
 }  // namespace dem

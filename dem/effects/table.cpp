@@ -41,9 +41,9 @@ std::string fault_in(const Range &, const bool (&axes)[3]) {
 
 }  // namespace
 
-const char *name_of(Effect effect) {
+const char *table_of(Effect effect) {
   for (const EffectRow &row : kEffects) {
-    if (row.effect == effect) return row.name;
+    if (row.effect == effect && row.meaning != nullptr) return row.name;
   }
   return kLinearName;
 }
@@ -81,7 +81,7 @@ void check_physics(const Physics &physics) {
   }
   for (const Parameter &parameter : kParameters) {
     const std::string fault = is_on(parameter.effect, physics.effects) ? fault_of(parameter, physics) : "";
-    if (!fault.empty()) throw Error(std::string(name_of(parameter.effect)) + "." + parameter.key + " " + fault);
+    if (!fault.empty()) throw Error(std::string(table_of(parameter.effect)) + "." + parameter.key + " " + fault);
   }
 }
 

@@ -79,31 +79,40 @@ constexpr EffectRow kEffects[] = {
     {kPeriodic, "periodic", "axes without ends", kInImages | kInFloat},
     {kGrowth, "growth", "all radii grow at constant material density, R (1 + rate t)", kStateful},
     {kHertz, "hertz", "Hertz contacts instead of linear ones", kInContacts | kInFloat},
+    {kModulus, "modulus", nullptr, kInContacts | kInFloat, nullptr, 0, kHertz, "it is a law of linear contacts"},
     {kShear, "shear", "Lees-Edwards shear along x with the gradient along y, both periodic", kInImages | kStateful,
      nullptr, kPeriodic, 0, "it moves the images", fault_of_shear},
     {kWalls, "walls", nullptr, kInMotion | kInFloat},
 };
 
-// In place of an effect: the linear contacts of a scene without Hertz ones.
+// In place of an effect: the linear contacts of one stiffness of a scene without other ones.
 constexpr Effect kLinear{};
-constexpr const char *kLinearName = "contact", *kNeeded = "needed";
+constexpr const char *kLinearName = "contact";
 
 // A number of an effect.
 struct Parameter {
   Effect effect;
   const char *key;  // in the effect's table of a scene
   Unit unit;
-  const char *fallback;  // what holds if it is left out, in words: what Physics holds at first; kNeeded: it cannot be
+  const char *fallback;  // what holds if it is left out, in words: what Physics holds at first; or "needed ..."
   Range range;
   const char *meaning;
   Place place;
 
-  bool needed() const { return std::string_view(fallback) == kNeeded; }
+  bool needed() const { return std::string_view(fallback).substr(0, 6) == "needed"; }
 };
 
+constexpr const char *kNeeded = "needed",
+                     *kByEnergy = "that of twice the fastest at the start, falling through the box",
+                     *kImpactMeaning = "fastest approach, for the time step";
+
 constexpr Parameter kParameters[] = {
-    {kLinear, "stiffness", unit::kStiffness, kNeeded, kPositive, "k of the force k d at overlap d",
-     &ContactParameters::stiffness},
+    {kLinear, "stiffness", unit::kStiffness, "needed, or modulus", kPositive,
+     "k of the force k d at overlap d, the same for all sizes", &ContactParameters::stiffness},
+    {kModulus, "modulus", unit::kPressure, "needed, or stiffness", kPositive,
+     "E: k = pi E r_a r_b / (r_a + r_b), of a rigid wall pi E r", &ContactParameters::modulus},
+    {kModulus, "wall_modulus", unit::kPressure, "rigid", kNotNegative, "of the walls (with modulus)",
+     &ContactParameters::wall_modulus},
     {kDissipation, "restitution", unit::kPure, kNeeded, kRestitution, "e of every collision, 0 < e <= 1",
      &ContactParameters::restitution},
     {kGravity, "acceleration", unit::kAcceleration, kNeeded, kAny, "of free fall", &Physics::gravity},
@@ -118,6 +127,7 @@ constexpr Parameter kParameters[] = {
     {kAdhesion, "force", unit::kForce, kNeeded, kNotNegative, "the pull-off force", &ContactParameters::adhesion_force},
     {kAdhesion, "range", unit::kLength, kNeeded, kPositive, "gap of the surfaces at which attraction ends",
      &ContactParameters::adhesion_range},
+    {kAdhesion, "impact_speed", unit::kVelocity, kByEnergy, kNotNegative, kImpactMeaning, &Physics::impact_speed},
     {kDrag, "viscosity", unit::kViscosity, kNeeded, kNotNegative, "eta of the fluid", &Physics::viscosity},
     {kPeriodic, "axes", unit::kPure, kNeeded, kAny, "e.g. xyz", &Physics::periodic},
     // Shrinking particles would get lighter, and collisions shorter than the time step allows for.
@@ -130,8 +140,7 @@ constexpr Parameter kParameters[] = {
     {kHertz, "wall_young_modulus", unit::kPressure, "rigid", kNotNegative, "of the walls",
      &ContactParameters::wall_young_modulus},
     {kHertz, "wall_poisson_ratio", unit::kPure, "0", kPoisson, "of the walls", &ContactParameters::wall_poisson_ratio},
-    {kHertz, "impact_speed", unit::kVelocity, "twice the fastest at the start", kNotNegative,
-     "fastest approach, for the time step", &Physics::impact_speed},
+    {kHertz, "impact_speed", unit::kVelocity, kByEnergy, kNotNegative, kImpactMeaning, &Physics::impact_speed},
     {kShear, "rate", unit::kRate, kNeeded, kAny, "du_x / dy; particles start with that profile added",
      &Physics::shear_rate},
 };
@@ -172,9 +181,12 @@ constexpr EffectSet effects_with_history() {
   return set;
 }
 
-constexpr bool is_on(Effect effect, EffectSet set) { return effect == kLinear ? !has(set, kHertz) : has(set, effect); }
+constexpr bool is_on(Effect effect, EffectSet set) {
+  return effect == kLinear ? !has(set, kHertz | kModulus) : has(set, effect);
+}
 
-const char *name_of(Effect effect);  // kLinear too
+// The table of a scene that holds the numbers of an effect.
+const char *table_of(Effect effect);
 
 const EffectRow *effect_of_name(std::string_view name);  // null if there is none
 

@@ -33,7 +33,9 @@ struct Measurement {
   double angular_momentum[3]{};            // about the origin, spins included; one component in two dimensions
   size_t contacts = 0, wall_contacts = 0;  // that overlap
   double largest_overlap = 0;              // over the radius of the smaller particle
+  size_t behind_walls = 0;                 // centres
   double virial = 0;                       // sum over pairs of (elastic force x distance of the centres)
+  double step_load = 0;  // of the present contacts on the time step: below 1 it is stable (step_load.hpp)
 
   double energy() const { return translation + rotation + contact + gravity; }
 };

@@ -5,6 +5,7 @@
 
 #include "dem/effects/body_force.hpp"
 #include "dem/effects/choice.hpp"
+#include "dem/engine/step_load.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,25 +16,25 @@ namespace {
 template <int D>
 using Vector = Vec<D, double>;
 
-// The effects that the elastic part of a normal force has.
-constexpr EffectSet kElasticEffects = kContactEffects & ~effects_with(kLossy) & ~effects_with_history();
+// The effects that a normal force has.
+constexpr EffectSet kNormalEffects = kContactEffects & ~effects_with_history();
 
 struct Spring {
   double force, energy;
   double stiffness;  // dF/dd, which the tangential springs follow
+  double damping;    // of the dashpot beside it
 };
 
 template <EffectSet E>
 Spring spring_of(const ContactLaw<double> &law, const NormalContact<double> &contact) {
   const NormalForce<double> force = normal_force<E>(law, contact);
-  return {force.value, elastic_energy<E>(law, contact, force), force.stiffness};
+  return {force.value, elastic_energy<E>(law, contact, force), force.stiffness, force.damping};
 }
 
 template <int D>
 void measure_particles(const Setup &setup, const Snapshot &state, Measurement &result) {
   Vector<D> momentum = Vector<D>::Zero();
   Spin<D, double> angular = Spin<D, double>::Zero();
-  constexpr double kShape = D == 3 ? 0.4 : 0.5;  // I / (m r^2)
   const auto body_force = make_body_force<D, double>(setup);
   const auto potential =
       choose<kBodyEffects, double>(setup.effects, [](auto set) { return &potential_energy<decltype(set)::value, D>; });
@@ -47,7 +48,7 @@ void measure_particles(const Setup &setup, const Snapshot &state, Measurement &r
     angular += moment<D, double>(x, m * v);
     if (state.spins.empty()) continue;
     const Spin<D, double> spin = vector_at<Spin<D, double>>(state.spins, i);
-    const double inertia = kShape * m * state.radii[i] * state.radii[i];
+    const double inertia = m * state.radii[i] * state.radii[i] / inverse_shape(D);
     result.rotation += 0.5 * inertia * spin.squaredNorm();
     angular += inertia * spin;
   }
@@ -55,11 +56,11 @@ void measure_particles(const Setup &setup, const Snapshot &state, Measurement &r
   std::copy_n(angular.data(), angular.size(), result.angular_momentum);
 }
 
-// Adds contact p to the sums; the force of its spring.
+// Adds contact p to the sums; its spring. Surfaces have no closing speed here.
 template <int D>
-double add_contact(const Setup &setup, const ContactLaw<double> &law, const ContactState<D> &contacts, size_t p,
+Spring add_contact(const Setup &setup, const ContactLaw<double> &law, const ContactState<D> &contacts, size_t p,
                    const NormalContact<double> &contact, double smaller_radius, Measurement &result) {
-  const Spring spring = choose<kElasticEffects, double>(
+  const Spring spring = choose<kNormalEffects, double>(
       setup.effects, [](auto set) { return &spring_of<decltype(set)::value>; })(law, contact);
   result.contact += spring.energy;
   for (const EffectRow &row : kEffects) {
@@ -69,12 +70,12 @@ double add_contact(const Setup &setup, const ContactLaw<double> &law, const Cont
     if (!stretches.empty()) result.contact += 0.5 * stiffness * stretches[p].squaredNorm();
   }
   result.largest_overlap = std::max(result.largest_overlap, contact.overlap / smaller_radius);
-  return spring.force;
+  return spring;
 }
 
 template <int D>
 void measure_pairs(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
-                   const ContactState<D> &contacts, Measurement &result) {
+                   const ContactState<D> &contacts, std::vector<LoadedContact<D>> &loaded, Measurement &result) {
   const auto law = make_law<double>(setup, Partner::kParticle);
   const auto nearest = choose<kImageEffects, double>(
       setup.effects, [](auto set) { return &Boundary<D, double>::template nearest<decltype(set)::value>; });
@@ -84,25 +85,33 @@ void measure_pairs(const Setup &setup, const Boundary<D, double> &boundary, cons
     if (!std::isfinite(state.masses[a]) && !std::isfinite(state.masses[b])) continue;
     Vector<D> separation = vector_at<Vector<D>>(state.centers, b) - vector_at<Vector<D>>(state.centers, a);
     (boundary.*nearest)(separation);
-    const double distance = separation.norm(), overlap = state.radii[a] + state.radii[b] - distance;
-    const NormalContact<double> contact{overlap, 0, 0, 1 / state.radii[a] + 1 / state.radii[b]};
+    Vector<D> normal;
+    const double distance = normalize<D>(separation, normal), overlap = state.radii[a] + state.radii[b] - distance;
+    const NormalContact<double> contact{overlap, 0, 1 / state.masses[a] + 1 / state.masses[b],
+                                        1 / state.radii[a] + 1 / state.radii[b]};
     const double smaller = std::min(state.radii[a], state.radii[b]);
-    result.virial += add_contact<D>(setup, law, contacts, p, contact, smaller, result) * distance;
+    const Spring spring = add_contact<D>(setup, law, contacts, p, contact, smaller, result);
+    result.virial += spring.force * distance;
+    loaded.push_back({a, b, normal, spring.stiffness, spring.damping, 1 / contact.inverse_radius});
     if (overlap > 0) result.contacts++;
   }
 }
 
 template <int D>
 void measure_walls(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
-                   const ContactState<D> &contacts, Measurement &result) {
+                   const ContactState<D> &contacts, std::vector<LoadedContact<D>> &loaded, Measurement &result) {
   const auto law = make_law<double>(setup, Partner::kWall);
   for (size_t p = 0; p < contacts.list.size(); p++) {
     const auto i = static_cast<size_t>(contacts.list[p].a);
     const int32_t wall = contacts.list[p].b;
     const double x = state.centers[i * D + static_cast<size_t>(axis_of(wall))];
-    const NormalContact<double> contact{wall_overlap(boundary, x, state.radii[i], wall), 0, 0, 1 / state.radii[i]};
-    add_contact<D>(setup, law, contacts, p, contact, state.radii[i], result);
+    const NormalContact<double> contact{wall_overlap(boundary, x, state.radii[i], wall), 0, 1 / state.masses[i],
+                                        1 / state.radii[i]};
+    const Spring spring = add_contact<D>(setup, law, contacts, p, contact, state.radii[i], result);
+    loaded.push_back(
+        {i, LoadedContact<D>::kWall, Vector<D>::Unit(axis_of(wall)), spring.stiffness, spring.damping, state.radii[i]});
     if (contact.overlap > 0) result.wall_contacts++;
+    if (contact.overlap > state.radii[i]) result.behind_walls++;
   }
 }
 
@@ -114,8 +123,10 @@ Measurement measure_state(const Setup &setup, const Boundary<D, double> &boundar
   Measurement result;
   result.time = state.time;
   measure_particles<D>(setup, state, result);
-  measure_pairs<D>(setup, boundary, state, pairs, result);
-  measure_walls<D>(setup, boundary, state, walls, result);
+  std::vector<LoadedContact<D>> loaded;
+  measure_pairs<D>(setup, boundary, state, pairs, loaded, result);
+  measure_walls<D>(setup, boundary, state, walls, loaded, result);
+  result.step_load = step_load<D>(setup, state, loaded);
   return result;
 }
 

@@ -3,10 +3,13 @@
 // The engine of one dimension and precision: the order of work within a step.
 #include "dem/engine/simulation.hpp"
 
+#include "dem/base/error.hpp"
 #include "dem/base/parallel.hpp"
+#include "dem/setup/time_step.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -36,9 +39,22 @@ Simulation<D, Real>::Simulation(const Setup &setup, std::vector<uint32_t> places
       search_(setup),
       walls_of_part_(static_cast<size_t>(threads_)),
       pair_history_(setup.effects),
-      wall_history_(setup.effects) {
+      wall_history_(setup.effects),
+      fastest_allowed_(dem::fastest_allowed(setup)) {
   load_bodies(setup);
   list_wall_contacts();
+}
+
+// Where contacts get shorter with speed, too fast particles stop the run: what followed would be wrong in silence.
+template <int D, class Real>
+void Simulation<D, Real>::require_speed() const {
+  for (const Vec<D, Real> &velocity : bodies_.velocity) {
+    const double approach = 2 * static_cast<double>(velocity.norm());
+    if (approach <= fastest_allowed_) continue;
+    throw Error("at step " + std::to_string(steps_) + " particles approach with " + text(approach) +
+                ", and the time step " + text(setup_.time_step) + " is short enough for " + text(fastest_allowed_) +
+                ": give an impact_speed of " + text(2 * approach) + ", or a shorter step");
+  }
 }
 
 template <int D, class Real>
@@ -72,7 +88,9 @@ void Simulation<D, Real>::list_wall_contacts() {
 
 template <int D, class Real>
 void Simulation<D, Real>::run(uint64_t steps) {
+  constexpr uint64_t kStepsPerLook = 16;
   for (; steps > 0; steps--) {
+    if (fastest_allowed_ < kInfinity && steps_ % kStepsPerLook == 0) require_speed();
     for (size_t k = 0; k < setup_.scheme.stages.size(); k++) {
       find_forces();
       Stage stage = setup_.scheme.stages[k];

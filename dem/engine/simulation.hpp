@@ -35,6 +35,7 @@ class Simulation final : public Engine {
   void restore(const Checkpoint &checkpoint) override;
 
  private:
+  void require_speed() const;
   void load_bodies(const Setup &setup);
   void list_wall_contacts();
   Real wall_range() const;
@@ -74,6 +75,7 @@ class Simulation final : public Engine {
   std::vector<hg_pair> wall_contacts_;
   ContactHistory<D, Real> pair_history_, wall_history_;
 
+  double fastest_allowed_;  // approach that the time step is short enough for
   uint64_t steps_ = 0;
   double last_drift_ = 0;  // time between the present forces and those before
   bool forces_known_ = false, pairs_known_ = false, radii_new_ = false;

@@ -6,21 +6,7 @@
 #include "dem/effects/choice.hpp"
 #include "dem/kernels/contact_kernel.hpp"
 
-#include <cmath>
-
 namespace dem {
-
-// Unit vector and length of a separation. Centres that coincide are pushed apart along x, the first to the left.
-template <int D, class Real>
-Real normalize(const Vec<D, Real> &separation, Vec<D, Real> &direction) {
-  const Real distance = std::sqrt(separation.squaredNorm());
-  if (distance > 0) {
-    direction = separation * (1 / distance);
-  } else {
-    direction = Vec<D, Real>::UnitX();
-  }
-  return distance;
-}
 
 template <EffectSet E, int D, class Real>
 PairForce<D, Real> pair_force(const ContactTask<D, Real> &task, size_t p) {

@@ -31,9 +31,13 @@ void read_effects(const Table &top, dem::Setup &setup) {
   for (const dem::EffectRow &row : dem::kEffects) {
     if (row.meaning != nullptr && top.has(row.name)) setup.effects |= row.effect;
   }
+  if (const auto contact = top.part(dem::kLinearName)) {
+    if (contact->has("modulus")) setup.effects |= dem::kModulus;
+    if (contact->has("modulus") && contact->has("stiffness")) contact->fail("modulus", "stands instead of stiffness");
+  }
   for (const dem::Parameter &parameter : dem::kParameters) {
     if (!is_on(parameter.effect, setup.effects)) continue;
-    const Table table = *top.part(name_of(parameter.effect));
+    const Table table = *top.part(table_of(parameter.effect));
     std::visit([&](auto place) { read_parameter(table, parameter, setup, at(setup, place)); }, parameter.place);
     const std::string fault = fault_of(parameter, setup);
     if (!fault.empty()) table.fail(parameter.key, fault);

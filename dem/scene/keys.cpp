@@ -55,7 +55,7 @@ std::vector<TableDoc> with_effects(std::vector<TableDoc> tables) {
 std::vector<Key> with_effects(std::vector<Key> keys) {
   constexpr Kind kKinds[] = {Kind::kNumber, Kind::kNumber, Kind::kVector, Kind::kText};  // by alternative of Place
   for (const dem::Parameter &parameter : dem::kParameters) {
-    keys.push_back({name_of(parameter.effect), parameter.key, kKinds[parameter.place.index()], parameter.unit,
+    keys.push_back({table_of(parameter.effect), parameter.key, kKinds[parameter.place.index()], parameter.unit,
                     parameter.fallback, parameter.meaning});
   }
   return keys;
@@ -121,8 +121,8 @@ const std::vector<Key> &all_keys() {
        {"time", "end", Kind::kNumber, kTime, "needed, or steps", "when the simulation ends"},
        {"time", "steps", Kind::kCount, kPure, "by end", "number of steps instead of end"},
        {"time", "step", Kind::kNumber, kTime, "by steps_per_contact", "the time step"},
-       {"time", "steps_per_contact", Kind::kNumber, kPure, "50",
-        "time steps in the shortest contact; fewer than 10 are refused"},
+       {"time", "steps_per_contact", Kind::kNumber, kPure, "50, or as many as are stable",
+        "time steps in the shortest contact; fewer than 10, or than are stable, are refused"},
        {"time", "scheme", Kind::kText, kPure, "velocity-verlet",
         "velocity-verlet, symplectic-euler, leapfrog or forest-ruth"},
 

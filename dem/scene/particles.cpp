@@ -5,6 +5,7 @@
 
 #include "dem/base/error.hpp"
 #include "dem/base/vector.hpp"
+#include "dem/effects/contact_law.hpp"
 #include "dem/scene/sources.hpp"
 #include "packing/random.hpp"
 
@@ -23,9 +24,9 @@ double volume(double radius, int dimension) {
 // kT at which the mean overlap of two of the smallest particles is the given share of their radius: they meet with the
 // flux-weighted mean speed sqrt(pi kT / m) and overlap by that times sqrt(m / (2 k)).
 double temperature_of_overlap(const Table &table, const dem::Setup &setup, double overlap, double smallest) {
-  if (!(setup.contact.stiffness > 0)) table.fail("overlap", "is for linear contacts: give a temperature");
+  if (has(setup.effects, dem::kHertz)) table.fail("overlap", "is for linear contacts: give a temperature");
   const double depth = overlap * smallest;
-  return 2 * setup.contact.stiffness * depth * depth / kPi;
+  return 2 * dem::linear_stiffness(setup, smallest, smallest) * depth * depth / kPi;
 }
 
 // Adds velocities of this temperature to the particles from `first` on, and takes out the drift of the group.

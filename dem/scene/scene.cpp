@@ -76,14 +76,17 @@ void read_time(const Table &top, Scene &scene) {
   try {
     setup.scheme =
         dem::scheme_of_name(time->choice("scheme", {"velocity-verlet", "symplectic-euler", "leapfrog", "forest-ruth"}));
-    scene.shortest_contact = dem::shortest_contact(setup);
+    scene.shortest_contact = dem::shortest_contact(setup).duration;
   } catch (const dem::Error &error) {
     top.fail("time", error.what());
   }
   if (time->has("step") && time->has("steps_per_contact")) time->fail("step", "stands instead of steps_per_contact");
-  const double per_contact = time->number("steps_per_contact", dem::kUsualStepsPerContact);
-  if (!(per_contact > 0)) time->fail("steps_per_contact", dem::text(per_contact) + " is not above 0");
-  setup.time_step = time->number("step", scene.shortest_contact / per_contact);
+  setup.time_step = time->number("step", dem::usual_step(setup));
+  if (time->has("steps_per_contact")) {
+    const double per_contact = time->number("steps_per_contact");
+    if (!(per_contact > 0)) time->fail("steps_per_contact", dem::text(per_contact) + " is not above 0");
+    setup.time_step = scene.shortest_contact / per_contact;
+  }
   if (time->has("end") == time->has("steps")) time->fail("end", "give either end or steps");
   const double end = time->number("end", 0);
   if (time->has("end") && !(end > 0)) time->fail("end", dem::text(end) + " is not above 0");

@@ -18,8 +18,8 @@ Scheme leapfrog() { return {"leapfrog", 2, {{1, 1}}, 0, 0.5}; }
 Scheme forest_ruth() {
   const double theta = 1 / (2 - std::cbrt(2.0));
   const double middle = 1 - 2 * theta;
-  return {
-      "forest-ruth", 4, {{theta, theta}, {(theta + middle) / 2, middle}, {(theta + middle) / 2, theta}}, theta / 2, 0};
+  return {"forest-ruth", 4, {{theta, theta}, {(theta + middle) / 2, middle}, {(theta + middle) / 2, theta}},
+          theta / 2,     0, 2.475};
 }
 
 Scheme scheme_of_name(const std::string &name) {

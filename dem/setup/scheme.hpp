@@ -22,6 +22,7 @@ struct Scheme {
   int order = 0;
   std::vector<Stage> stages;
   double shared_kick = 0, shared_drift = 0;
+  double stability = 4;  // (w dt)^2 up to which a swing of frequency w stays bounded
 };
 
 // Kick 1/2, drift 1, kick 1/2.

@@ -40,11 +40,8 @@ struct Bodies {
     return sum;
   }
 
-  // 1 / I from 1 / m: I = 2/5 m r^2 for a ball, 1/2 m r^2 for a disc.
-  Real inverse_inertia(size_t i) const {
-    constexpr Real kShape = D == 3 ? Real(2.5) : Real(2);
-    return kShape * inverse_mass[i] / (radius[i] * radius[i]);
-  }
+  // 1 / I from 1 / m.
+  Real inverse_inertia(size_t i) const { return Real(inverse_shape(D)) * inverse_mass[i] / (radius[i] * radius[i]); }
 };
 
 // All arrays under the names that they have in checkpoints: what is written and what is read is one list.

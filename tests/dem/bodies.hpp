@@ -50,7 +50,7 @@ inline void set_linear(dem::Setup &setup, double stiffness, double restitution =
 }
 
 inline void set_steps_per_contact(dem::Setup &setup, double steps) {
-  setup.time_step = dem::shortest_contact(setup) / steps;
+  setup.time_step = dem::shortest_contact(setup).duration / steps;
 }
 
 // What a collision looked like from outside.

@@ -22,7 +22,7 @@ for scene in "$scenes"/*.toml; do
   case $scene in
     */paper-*) continue ;;
   esac
-  "$hgrid" run "$scene" --steps 20 --quiet --output out >summary.txt || fail "$scene does not run"
+  "$hgrid" run "$scene" --steps 20 --quiet --strict --output out >summary.txt || fail "$scene does not run"
   grep -q 'ns per particle and step' summary.txt || fail "$scene: no summary"
 done
 
@@ -78,6 +78,26 @@ echo "$((step + 3)),1,1,1,1,1,1,1,1,1" >>stopped/energy.csv # as of a run that w
 "$hgrid" run busy.toml --quiet --steps $((step + 20)) --restart stopped/checkpoint --output stopped >/dev/null
 "$hgrid" run busy.toml --quiet --steps $((step + 20)) --output undisturbed >/dev/null
 diff -r stopped undisturbed || fail "interrupted at step $step and restarted: another folder than undisturbed"
+
+# An absurd start is warned of, and refused when asked: a ball half a metre under the floor.
+cat >under.toml <<'TOML'
+[[particles]]
+at = [["1 m", "1 m", "-0.5 m"]]
+radius = "10 mm"
+[box]
+max = ["2 m", "2 m", "2 m"]
+[contact]
+stiffness = "1e4 N/m"
+[time]
+steps = 1
+TOML
+"$hgrid" run under.toml --quiet --output under >out.txt 2>err.txt || fail "warnings end a run: $(cat err.txt)"
+grep -q 'hgrid: warning: step 0: surfaces overlap by 51 of the smaller radius' err.txt || fail "no warning: $(cat err.txt)"
+grep -q 'hgrid: warning: step 0: centres of particles lie behind walls: 1' err.txt || fail "no warning: $(cat err.txt)"
+grep -q '^worst seen, see the warnings: overlap over radius 51 (step 0), centres behind walls 1' out.txt ||
+  fail "the end does not say what was seen: $(cat out.txt)"
+if "$hgrid" run under.toml --quiet --strict --output under >out.txt 2>err.txt; then fail "--strict lets it pass"; fi
+grep -q 'step 0: surfaces overlap by 51' err.txt || fail "--strict says: $(cat err.txt)"
 
 # Refusals: exit code 1, the file and line, no trace of success.
 sed 's/restitution = 0.8/restitutoin = 0.8/' busy.toml >wrong.toml

@@ -205,7 +205,7 @@ void impossible_combinations_are_named(void **) {
 
 void too_large_a_step_is_refused_with_the_limit(void **) {
   dem::Setup setup = walled_gas(0);
-  const double contact = dem::shortest_contact(setup);
+  const double contact = dem::shortest_contact(setup).duration;
   setup.time_step = contact / 9.9;
   char limit[32];
   std::snprintf(limit, sizeof limit, "%.6g", contact / 10);

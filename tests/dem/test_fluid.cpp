@@ -82,7 +82,7 @@ bool is_hard_sphere_fluid(const Case &run, std::vector<double> radii) {
   const double deeper = std::sqrt(bodies::kPi / (2 * kStiffness));
   for (double &r : radii) r -= deeper / 2;
   const theory::HardSpheres hard(radii, volume);
-  const double rate = hard.rate(setup.masses), shortest = dem::shortest_contact(setup);
+  const double rate = hard.rate(setup.masses), shortest = dem::shortest_contact(setup).duration;
   std::printf("%s at %g, seed %llu: Z = %.4f (%.4f), contacts per particle %.5f (%.5f), t_c %.4f of the time between\n",
               run.what, run.fraction, static_cast<unsigned long long>(kSeed), found.compressibility,
               hard.compressibility(), found.contacts, hard.neighbours(deeper), shortest * rate);

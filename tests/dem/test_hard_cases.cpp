@@ -210,7 +210,7 @@ void masses_of_ratio_1e18(void **) {
     const double away = (kGiant + 1.01) / norm, speed = (1 + random.uniform()) / norm;
     bodies::add(setup, {away * x, away * y, away * z}, {-speed * x, -speed * y, -speed * z}, 1, 1);
   }
-  assert_true(std::fabs(dem::shortest_contact(setup) / (bodies::kPi * std::sqrt(0.5 / 1e5)) - 1) < 1e-12);
+  assert_true(std::fabs(dem::shortest_contact(setup).duration / (bodies::kPi * std::sqrt(0.5 / 1e5)) - 1) < 1e-12);
   bodies::set_steps_per_contact(setup, 50);
   const auto engine = dem::make_engine(setup);
   const dem::Measurement start = engine->measure();
@@ -322,7 +322,7 @@ void the_largest_step_is_stable_with_twelve_contacts(void **) {
   }
   std::printf("energy within %.3g of that of the swings\n", worst);
   assert_true(worst < 0.15);
-  setup.time_step = dem::shortest_contact(setup) / 9.999;
+  setup.time_step = dem::shortest_contact(setup).duration / 9.999;
   assert_true(test::is_refused("", [&] { dem::make_engine(setup); }));
 }
 

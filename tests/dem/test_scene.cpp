@@ -108,8 +108,8 @@ void what_does_not_go_together_is_refused(void **) {
 }
 
 // The table of an effect, one key a line; `changed` has another value, or is left out if that is empty.
-std::string table_of(dem::Effect effect, const std::string &changed = "", const std::string &value = "") {
-  std::string text = std::string("[") + dem::name_of(effect) + "]\n";
+std::string text_of(dem::Effect effect, const std::string &changed = "", const std::string &value = "") {
+  std::string text = std::string("[") + dem::table_of(effect) + "]\n";
   for (const dem::Parameter &p : dem::kParameters) {
     if (p.effect != effect || (p.key == changed && value.empty())) continue;
     const bool vector = std::holds_alternative<double(dem::Physics::*)[3]>(p.place);
@@ -129,19 +129,19 @@ std::string scene_of(const dem::EffectRow &row, const std::string &table) {
   std::string text =
       "[[particles]]\nat = [[0, 0, 0], [3, 0, 0]]\nradius = 1\n[time]\nsteps = 10\n[box]\nmax = [9, 9, 9]\n" + table;
   if (row.effect != dem::kHertz) text += "[contact]\nstiffness = 1e4\n";
-  for (const dem::EffectRow &other : dem::kEffects) text += has(row.needs, other.effect) ? table_of(other.effect) : "";
+  for (const dem::EffectRow &other : dem::kEffects) text += has(row.needs, other.effect) ? text_of(other.effect) : "";
   return text;
 }
 
 // A number out of its range or of no kind, or a key that is left out, is refused at its line.
 bool faults_are_named(const dem::EffectRow &row) {
-  bool good = error_of(scene_of(row, table_of(row.effect))).empty();
+  bool good = error_of(scene_of(row, text_of(row.effect))).empty();
   int line = 8;
   for (const dem::Parameter &p : dem::kParameters) {
     if (p.effect != row.effect) continue;
     const std::string place = ":" + std::to_string(++line) + ": " + row.name + "." + p.key;
     const auto refused = [&](const char *value, const std::string &start, const char *part) {
-      return is_refused(scene_of(row, table_of(row.effect, p.key, value)), start, part);
+      return is_refused(scene_of(row, text_of(row.effect, p.key, value)), start, part);
     };
     good = good && refused("true", place + " is true or false", "wanted");
     if (std::isfinite(p.range.low)) good = good && refused("-7", place + ": lies ", ", not at -7");

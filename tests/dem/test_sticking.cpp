@@ -142,7 +142,7 @@ void between_sticking_and_sliding_the_equation_of_motion_holds(void **) {
         const dem::Setup law = oblique::rough_linear(kStiffness, ratio, restitution, 0.4);
         const dem::Setup setup = oblique::against_wall(law, impact);
         const Motion found = oblique::rebound_of(setup, kSteps);
-        const Motion expected = integrate(setup, impact, dem::shortest_contact(setup));
+        const Motion expected = integrate(setup, impact, dem::shortest_contact(setup).duration);
         char what[64];
         std::snprintf(what, sizeof what, "e = %g, k_t / k = %.3f, slip %g", restitution, ratio, slip);
         assert_true(is_near(what, found, expected, impact, 2e-3));
@@ -154,7 +154,7 @@ void between_sticking_and_sliding_the_equation_of_motion_holds(void **) {
 
 bool hertz_follows_the_equation(const char *what, const dem::Setup &law, const Impact &impact) {
   const dem::Setup setup = oblique::against_wall(law, impact);
-  const Motion expected = integrate(setup, impact, dem::shortest_contact(setup));
+  const Motion expected = integrate(setup, impact, dem::shortest_contact(setup).duration);
   return is_near(what, oblique::rebound_of(setup, kSteps), expected, impact, 2e-3);
 }
 

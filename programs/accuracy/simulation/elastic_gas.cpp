@@ -56,7 +56,7 @@ dem::Setup elastic_gas(const GasCase &what) {
 dem::Setup melted_gas(const GasCase &what) {
   constexpr auto kSteps = static_cast<uint64_t>(20 * dem::kUsualStepsPerContact);
   dem::Setup gas = elastic_gas(what);
-  gas.time_step = dem::shortest_contact(gas) / dem::kUsualStepsPerContact;
+  gas.time_step = dem::shortest_contact(gas).duration / dem::kUsualStepsPerContact;
   gas.skin = 0.1;
   const auto engine = dem::make_engine(gas);
   engine->run(kSteps);

@@ -36,7 +36,7 @@ double mean_square_of_step(const dem::Setup &gas) {
 EnergyErrors energy_errors(const EnergyCase &what) {
   dem::Setup gas = elastic_gas(what.gas);
   gas.scheme = what.scheme;
-  gas.time_step = dem::shortest_contact(gas) / what.steps;
+  gas.time_step = dem::shortest_contact(gas).duration / what.steps;
   gas.skin = 0.2;
   const auto engine = dem::make_engine(gas, what.precision);
   engine->run(static_cast<uint64_t>(kContactsToMelt * what.steps));
@@ -62,7 +62,7 @@ EnergyErrors energy_errors(const EnergyCase &what) {
 PowerLaw energy_change_law(const EnergyCase &what) {
   const dem::Setup gas = elastic_gas(what.gas);
   const auto count = static_cast<double>(gas.count());
-  const double met = collision_rate(what.gas, gas) * dem::shortest_contact(gas);  // per sphere and t_c
+  const double met = collision_rate(what.gas, gas) * dem::shortest_contact(gas).duration;  // per sphere and t_c
   const double kicks = std::pow(kPi / 2, 2);
   const double contacts = 2 * count * met / 2;  // at both looks
   if (what.scheme.order == 1) return {1, std::sqrt(2 * contacts * kicks / 2) / (1.5 * count)};

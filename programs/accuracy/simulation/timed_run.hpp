@@ -22,7 +22,7 @@ class TimedRun {
       : particles_(static_cast<double>(setup.count())),
         steps_per_contact_(steps_per_contact),
         steps_(static_cast<uint64_t>(contacts * steps_per_contact)) {
-    setup.time_step = dem::shortest_contact(setup) / steps_per_contact;
+    setup.time_step = dem::shortest_contact(setup).duration / steps_per_contact;
     engine_ = dem::make_engine(setup, precision);
     engine_->run(static_cast<uint64_t>(warm_up * steps_per_contact));
   }

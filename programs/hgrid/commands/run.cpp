@@ -3,6 +3,7 @@
 // `hgrid run`: simulates a scene.
 #include "dem/effects/table.hpp"
 #include "dem/engine/engine.hpp"
+#include "dem/engine/watch.hpp"
 #include "dem/output/recorder.hpp"
 #include "dem/scene/scene.hpp"
 #include "particles/error.hpp"
@@ -36,6 +37,7 @@ struct RunOptions {
   std::optional<double> skin;
   std::optional<uint64_t> steps;
   bool quiet = false;
+  bool strict = false;
 };
 
 // A line about the run as it goes: wiped and rewritten on a terminal, one after the other elsewhere.
@@ -90,17 +92,19 @@ uint64_t next_after(uint64_t step, uint64_t interval, uint64_t never) {
 class Run {
  public:
   Run(const scene::Scene &scene, dem::Engine &engine, output::Recorder &recorder, const Interrupt &interrupt,
-      bool quiet)
+      const RunOptions &options)
       : scene_(scene),
         engine_(engine),
         recorder_(recorder),
         interrupt_(interrupt),
-        quiet_(quiet),
+        options_(options),
+        watch_(scene.setup),
+        first_(engine.steps_done()),
         line_(engine.steps_done(), scene.steps, scene.setup.count()) {}
 
   // To the end, or to the first interrupt: then the checkpoint holds the state.
   void go() {
-    if (engine_.steps_done() == 0) record();
+    record();
     while (engine_.steps_done() < scene_.steps && !interrupt_.requested()) {
       const uint64_t step = engine_.steps_done();
       uint64_t until = std::min(scene_.steps, step + line_.patience());
@@ -117,6 +121,7 @@ class Run {
   }
 
   const RunLine &line() const { return line_; }
+  const dem::Watch &watch() const { return watch_; }
 
  private:
   // The last step is always one, since intervals are rounded to steps and need not end there.
@@ -127,8 +132,9 @@ class Run {
 
   void record() {
     const uint64_t step = engine_.steps_done();
-    const bool row = is_time(scene_.output.energies), shows = !quiet_ && line_.is_due();
-    if (row || shows) {
+    const bool again = step == first_ && step > 0;  // goes on from a checkpoint: what was due there is written
+    const bool row = is_time(scene_.output.energies) && !again, shows = !options_.quiet && line_.is_due();
+    if (row || shows || again) {
       // Measuring does a part of the next step's work, so it counts as work.
       const Clock::time_point start = Clock::now();
       const dem::Measurement m = engine_.measure();
@@ -136,17 +142,30 @@ class Run {
       if (!std::isfinite(m.energy()))
         throw particles::Error("the energy is not finite at step " + std::to_string(step));
       if (row) recorder_.energies(step, m);
+      look(step, m);
       if (shows) line_.show(step, m);
     }
+    if (again) return;
     if (is_time(scene_.output.pictures)) recorder_.picture(step, engine_.snapshot());
     if (is_time(scene_.output.checkpoints)) recorder_.checkpoint(engine_);
+  }
+
+  void look(uint64_t step, const dem::Measurement &m) {
+    for (const std::string &warning : watch_.look(step, m)) {
+      line_.wipe();
+      const std::string text = "step " + std::to_string(step) + ": " + warning;
+      if (options_.strict) throw particles::Error(text);
+      std::fprintf(stderr, "hgrid: warning: %s\n", text.c_str());
+    }
   }
 
   const scene::Scene &scene_;
   dem::Engine &engine_;
   output::Recorder &recorder_;
   const Interrupt &interrupt_;
-  bool quiet_;
+  const RunOptions &options_;
+  dem::Watch watch_;
+  uint64_t first_;
   RunLine line_;
 };
 
@@ -160,7 +179,8 @@ void print_scene(const scene::Scene &scene, const std::string &path) {
               static_cast<unsigned long long>(scene.steps), setup.time_step, setup.scheme.name.c_str(), setup.skin);
 }
 
-void print_summary(dem::Engine &engine, const RunLine &line, size_t particles) {
+void print_summary(dem::Engine &engine, const Run &run, size_t particles) {
+  const RunLine &line = run.line();
   const dem::Measurement m = engine.measure();
   const hg_grid_stats stats = engine.grid_stats();
   const double count = static_cast<double>(particles);
@@ -171,6 +191,8 @@ void print_summary(dem::Engine &engine, const RunLine &line, size_t particles) {
               m.rotation, m.contact, m.gravity);
   std::printf("%zu contacts of particles, %zu with walls, largest overlap %.3g of the smaller radius\n", m.contacts,
               m.wall_contacts, m.largest_overlap);
+  std::printf("%s: %s\n", run.watch().has_warned() ? "worst seen, see the warnings" : "worst seen, nothing to warn of",
+              run.watch().summary().c_str());
   std::printf("memory per particle: %.0f bytes of state, %.0f of the grid; %lld levels, %lld searches\n",
               static_cast<double>(engine.state_bytes()) / count, static_cast<double>(stats.byte_count) / count,
               static_cast<long long>(stats.level_count), static_cast<long long>(stats.search_count));
@@ -191,9 +213,9 @@ void run_scene(const RunOptions &options) {
   std::fflush(stdout);
   output::Recorder recorder(scene.output.directory, scene.output.formats, scene.setup, engine->steps_done());
   const Interrupt interrupt;
-  Run run(scene, *engine, recorder, interrupt, options.quiet);
+  Run run(scene, *engine, recorder, interrupt, options);
   run.go();
-  print_summary(*engine, run.line(), scene.setup.count());
+  print_summary(*engine, run, scene.setup.count());
   if (interrupt.requested()) {
     throw particles::Error("interrupted at step " + std::to_string(engine->steps_done()) + "; go on with hgrid run " +
                            options.scene + " --restart " + recorder.checkpoint_path());
@@ -214,6 +236,7 @@ void add_run(CLI::App &parent) {
   command->add_option("--skin", options->skin, "Instead of the scene's")->check(CLI::NonNegativeNumber);
   command->add_option("--steps", options->steps, "Last step, instead of the scene's end");
   command->add_flag("--quiet", options->quiet, "No line about the progress");
+  command->add_flag("--strict", options->strict, "What a run is warned of ends it");
   command->callback([options] { run_scene(*options); });
 }
 

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// How near a time step is to the limit of stability of all present contacts together.
+//
+// Kinetic energy makes y = (sqrt(m) u, sqrt(I) angle) the measure of motion. A spring s between bodies a and b stores
+// s (f_a y_a - f_b y_b)^2 / 2 <= s ((1 + t) (f_a y_a)^2 + (1 + 1/t) (f_b y_b)^2) / 2 for any t > 0. So each body gets a
+// matrix of its own, and the largest eigenvalue of all of them is above any of the network. With t = (m_a / m_b)^(1/3),
+// the ratio of sizes, neither a giant with thousands of small neighbours nor these get far too large a share.
+#include "dem/engine/step_load.hpp"
+
+#include "dem/effects/contact_law.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dem {
+namespace {
+
+template <int D, bool turns>
+class Network {
+ public:
+  Network(const Setup &setup, const Snapshot &state)
+      : setup_(&setup),
+        state_(&state),
+        law_(make_law<double>(setup, Partner::kParticle)),
+        blocks_(state.count(), Block::Zero()) {}
+
+  // The end of a contact at `body`, `out` of which the normal points; mass_ratio is its mass over its partner's.
+  void add(const LoadedContact<D> &contact, size_t body, double mass_ratio, const Vec<D, double> &out) {
+    const double mass = state_->masses[body], step = setup_->time_step;
+    if (!std::isfinite(mass)) return;
+    const double strength =
+        (step * step * contact.stiffness + 2 * step * contact.damping) * (1 + std::cbrt(mass_ratio)) / mass;
+    const Matrix along = Matrix::Identity() - out * out.transpose();
+    Block &block = blocks_[body];
+    block.template topLeftCorner<D, D>() += strength * out * out.transpose();
+    if constexpr (turns) {
+      // A spin moves the surface at n by spin x n, which has the component (n x e) . spin along e.
+      Eigen::Matrix<double, D + kSpin, D> slide;
+      slide.template topRows<D>() = along;
+      for (int k = 0; k < D; k++) {
+        slide.template bottomRows<kSpin>().col(k) =
+            std::sqrt(inverse_shape(D)) * moment<D, double>(out, Vec<D, double>(along.col(k)));
+      }
+      block += law_.tangential_ratio * strength * slide * slide.transpose();
+      slide.template topRows<D>().setZero();
+      const double lever = contact.reduced_radius / state_->radii[body];
+      if (has(setup_->effects, kRolling))
+        block += law_.rolling_ratio * strength * lever * lever * slide * slide.transpose();
+    }
+  }
+
+  double largest_eigenvalue() const {
+    double largest = 0;
+    for (const Block &block : blocks_) {
+      if (!(block.norm() > largest)) continue;  // no eigenvalue is above that
+      largest = std::max(largest, block.template selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
+    }
+    return largest;
+  }
+
+ private:
+  static constexpr int kSpin = turns ? Spin<D, double>::RowsAtCompileTime : 0;
+  using Matrix = Eigen::Matrix<double, D, D>;
+  using Block = Eigen::Matrix<double, D + kSpin, D + kSpin, Eigen::DontAlign>;
+
+  const Setup *setup_;
+  const Snapshot *state_;
+  ContactLaw<double> law_;
+  std::vector<Block> blocks_;
+};
+
+template <int D, bool turns>
+double load_of(const Setup &setup, const Snapshot &state, const std::vector<LoadedContact<D>> &contacts) {
+  Network<D, turns> network(setup, state);
+  for (const LoadedContact<D> &contact : contacts) {
+    const bool wall = contact.b == LoadedContact<D>::kWall;
+    const double ratio = wall ? 0 : state.masses[contact.a] / state.masses[contact.b];
+    network.add(contact, contact.a, ratio, contact.normal);
+    if (!wall) network.add(contact, contact.b, 1 / ratio, -contact.normal);
+  }
+  return network.largest_eigenvalue() / setup.scheme.stability;
+}
+
+}  // namespace
+
+template <int D>
+double step_load(const Setup &setup, const Snapshot &state, const std::vector<LoadedContact<D>> &contacts) {
+  return has(setup.effects, kFriction) ? load_of<D, true>(setup, state, contacts)
+                                       : load_of<D, false>(setup, state, contacts);
+}
+
+template double step_load(const Setup &, const Snapshot &, const std::vector<LoadedContact<2>> &);
+template double step_load(const Setup &, const Snapshot &, const std::vector<LoadedContact<3>> &);
+
+}  // namespace dem
