@@ -66,6 +66,7 @@ struct Study {
   const char *title;  // for tables and pictures
   const char *about;  // what is varied, what the error and the cost are: full sentences
   void (*measure)(Recorder &record);
+  const char *number_of = nullptr;  // what its settings are numbers of, if they change the time alone and no result
 };
 
 // The points of all studies, one after the other; `progress` is told the study's name and what it measures.

@@ -26,10 +26,11 @@ constexpr size_t kColumns = 3;
 
 constexpr double kSmall = 11;  // letters
 
-// One kind of error of one parameter: a series for each system.
+// One kind of error of one parameter: a series for each system. Or, of what changes the time alone, its numbers.
 struct Panel {
   std::string title, error_of;
   std::vector<Series> series;
+  const char *number_of = nullptr;
 };
 
 bool has_error(const Point &point) { return point.error > 0; }
@@ -42,11 +43,13 @@ std::vector<Panel> panels_of(const std::vector<Study> &studies, const std::vecto
       if (series[0].parameter != study.name) continue;
       const auto begin = panels.begin() + static_cast<ptrdiff_t>(first);
       auto panel = std::find_if(begin, panels.end(), [&](const Panel &p) { return p.error_of == series[0].error_of; });
-      if (panel == panels.end()) panel = panels.insert(panel, {study.title, series[0].error_of, {}});
+      if (panel == panels.end()) panel = panels.insert(panel, {study.title, series[0].error_of, {}, study.number_of});
       panel->series.push_back(series);
     }
   }
-  // Where nothing is ever wrong there is nothing to draw.
+  // Where nothing is ever wrong there is nothing to draw in a picture of errors.
+  const auto numbered = [](const Panel &panel) { return panel.number_of != nullptr; };
+  if (std::all_of(panels.begin(), panels.end(), numbered)) return panels;
   const auto is_exact = [](const Panel &panel) {
     return std::none_of(panel.series.begin(), panel.series.end(),
                         [](const Series &s) { return std::any_of(s.begin(), s.end(), has_error); });
@@ -80,20 +83,24 @@ class Plot {
   Plot(const Panel &panel, draw::Point corner)
       : panel_(panel),
         frame_{corner.x, corner.y, kPlotWidth, kPlotHeight},
-        errors_(values_of(panel, &Point::error), corner.x + kStrip, corner.x + kPlotWidth),
+        strip_(panel.number_of == nullptr ? kStrip : 0),
+        errors_(values_of(panel, across()), corner.x + strip_, corner.x + kPlotWidth),
         costs_(values_of(panel, &Point::cost), corner.y + kPlotHeight, corner.y) {}
 
   void draw(draw::Svg &svg) const {
     draw_axes(svg);
     for (size_t k = 0; k < panel_.series.size(); k++)
       draw_series(svg, panel_.series[k], draw::series_color(k), radius_of(k));
-    draw_labels(svg);
+    if (panel_.number_of == nullptr) draw_labels(svg);
     draw_legend(svg);
   }
 
  private:
+  double Point::*across() const { return panel_.number_of == nullptr ? &Point::error : &Point::number; }
+
   draw::Point place(const Point &p) const {
-    return {has_error(p) ? errors_.place(p.error) : frame_.x + 0.5 * kStrip, costs_.place(p.cost)};
+    const double value = p.*across();
+    return {value > 0 ? errors_.place(value) : frame_.x + 0.5 * strip_, costs_.place(p.cost)};
   }
 
   void draw_axes(draw::Svg &svg) const {
@@ -101,7 +108,7 @@ class Plot {
     const std::string grid = "stroke=\"#e2e2e2\" stroke-width=\"1\"";
     svg.text({frame_.x, frame_.y - 26}, panel_.title, 14, "font-weight=\"bold\"");
     svg.text({frame_.x, frame_.y - 9}, "ns per particle", kSmall);
-    svg.rectangle({frame_.x, frame_.y, kStrip, frame_.height}, "fill=\"#f3f1ea\"");
+    if (strip_ > 0) svg.rectangle({frame_.x, frame_.y, strip_, frame_.height}, "fill=\"#f3f1ea\"");
     for (const double cost : costs_.ticks()) {
       const double y = costs_.place(cost);
       svg.line({frame_.x, y}, {right, y}, grid);
@@ -110,11 +117,12 @@ class Plot {
     for (const double error : errors_.ticks()) {
       const double x = errors_.place(error);
       svg.line({x, frame_.y}, {x, bottom}, grid);
-      const bool crowded = x < frame_.x + kStrip + 14;  // by the word under the strip
+      const bool crowded = strip_ > 0 && x < frame_.x + strip_ + 14;  // by the word under the strip
       if (!crowded) svg.text({x, bottom + 15}, tick_text(error), kSmall, "text-anchor=\"middle\"");
     }
-    svg.text({frame_.x + 0.5 * kStrip, bottom + 15}, "none", kSmall, "text-anchor=\"middle\"");
-    svg.text({right, bottom + 32}, "error: " + panel_.error_of, kSmall, "text-anchor=\"end\"");
+    if (strip_ > 0) svg.text({frame_.x + 0.5 * strip_, bottom + 15}, "none", kSmall, "text-anchor=\"middle\"");
+    const std::string name = panel_.number_of == nullptr ? "error: " + panel_.error_of : panel_.number_of;
+    svg.text({right, bottom + 32}, name, kSmall, "text-anchor=\"end\"");
     svg.rectangle(frame_, "fill=\"none\" stroke=\"#222\" stroke-width=\"1\"");
   }
 
@@ -124,9 +132,9 @@ class Plot {
     return std::min(3 + 1.2 * static_cast<double>(above), 6.6);
   }
 
-  // The front is a line; settings off the front are pale.
+  // The front is a line; settings off the front are pale. Numbers are joined in order.
   void draw_series(draw::Svg &svg, const Series &series, const std::string &color, double radius) const {
-    const Series front = pareto_front(series);
+    const Series front = panel_.number_of == nullptr ? pareto_front(series) : series;
     for (size_t k = 0; k + 1 < front.size(); k++) {
       svg.line(place(front[k]), place(front[k + 1]), "stroke=\"" + color + "\" stroke-width=\"1.5\"");
     }
@@ -185,6 +193,7 @@ class Plot {
 
   const Panel &panel_;
   draw::Frame frame_;
+  double strip_;  // its width
   draw::LogAxis errors_, costs_;
 };
 
@@ -196,7 +205,8 @@ std::string pareto_picture(const std::vector<Study> &studies, const std::vector<
   for (const Panel &panel : panels) most_series = std::max(most_series, panel.series.size());
   const double cell_width = kLeft + kPlotWidth + kMargin;
   const double cell_height = kTop + kPlotHeight + kBottom + 24 + kLegendRow * static_cast<double>(most_series);
-  const size_t columns = std::max<size_t>(1, std::min(kColumns, panels.size()));
+  size_t columns = std::max<size_t>(1, std::min(kColumns, panels.size()));
+  if (columns > 2 && panels.size() % columns == 1) columns--;  // no panel alone in a row
   const size_t rows = (panels.size() + columns - 1) / columns;
   const double width = kMargin + cell_width * static_cast<double>(columns);
   const double height = 2 * kMargin + cell_height * static_cast<double>(rows);
@@ -207,8 +217,11 @@ std::string pareto_picture(const std::vector<Study> &studies, const std::vector<
                              kMargin + kTop + cell_height * static_cast<double>(row)};
     Plot(panels[k], corner).draw(svg);
   }
+  const bool errs = panels.empty() || panels.front().number_of == nullptr;
   svg.text({kMargin, height - kMargin},
-           "Line: settings that no other beats in both. Ring: the default. Shaded: no error at all.", kSmall);
+           errs ? "Line: settings that no other beats in both. Ring: the default. Shaded: no error at all."
+                : "Ring: the default. Results are the same for all.",
+           kSmall);
   return svg.document();
 }
 

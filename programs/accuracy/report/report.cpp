@@ -18,7 +18,14 @@ std::string report(const std::vector<Study> &studies, const std::vector<Point> &
     if (std::any_of(others.begin(), others.end(), is_its)) tables += study_table(study, others, style);
   }
   const std::string laws = convergence_table(points, style);
-  return tables.empty() ? laws : laws + digit_cost_table(others, style) + "\n" + tables;
+  // What has no error has no digits.
+  const auto is_exact = [&](const Point &point) {
+    return std::any_of(studies.begin(), studies.end(),
+                       [&](const Study &s) { return s.number_of != nullptr && point.parameter == s.name; });
+  };
+  others.erase(std::remove_if(others.begin(), others.end(), is_exact), others.end());
+  const std::string digits = others.empty() ? "" : digit_cost_table(others, style) + "\n";
+  return tables.empty() ? laws : laws + digits + tables;
 }
 
 }  // namespace accuracy

@@ -7,7 +7,6 @@
 #include "programs/measure/search_timer.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace accuracy {
 namespace {
@@ -19,15 +18,15 @@ constexpr double kPatience = 0.5;  // seconds; a number of levels that has taken
 
 Finding finding_of(SearchTimer &timer, SearchTimer &best, size_t chosen, size_t count) {
   const size_t levels = timer.level_count();
-  const auto best_levels = static_cast<double>(best.level_count());
   const std::string note =
       particles::formatted("%.0f %% above the least time, %.1f candidates per particle",
                            100 * (timer.ns_per_particle() / best.ns_per_particle() - 1),
                            static_cast<double>(timer.grid().get_stats().candidate_count) / static_cast<double>(count));
   return {std::to_string(levels) + (levels > 1 ? " levels" : " level"),
           timer.ns_per_particle(),
-          {{"levels off the best number", std::fabs(static_cast<double>(levels) - best_levels) / best_levels, note}},
-          levels == chosen};
+          {{"pairs", 0, note}},
+          levels == chosen,
+          static_cast<double>(levels)};
 }
 
 void measure_system(const particles::ParticleSet &particles, Recorder &record) {

@@ -22,9 +22,8 @@ const std::vector<Study> &search_studies() {
        "longer than with the same cells given.",
        measure_level_choices},
       {"levels", "How many levels",
-       "`hg_grid_def.level_count`. The pairs are the same. Error: how far from the fastest number of levels, over "
-       "that number. Time: one search, one thread.",
-       measure_level_counts},
+       "`hg_grid_def.level_count`. The pairs are the same: there is no error, only time. Time: one search, one thread.",
+       measure_level_counts, "levels"},
       {"prefilter", "Boxes before spheres",
        "A plain loop over candidate pairs, all that lie within sqrt(3) diameters, with and without a comparison of "
        "bounding boxes first. Error: pairs that differ. Time: the loop alone.",

@@ -17,6 +17,7 @@ from measured import STEP_NUMBERS, in_order, read
 
 NAMES = {"library": "libhgrid", "plain": "sorted cells", "hashed": "hashed lists"}
 MOST_FITTED = 20  # levels; with more, memory decides
+OUT_OF_CACHE = 30000  # particles: from there on slopes are those of memory, not of growing out of caches
 OVERHEAD = 0.3  # K of Eq. 7, as in the paper's Fig. 4
 # What the text of the paper says about its Fig. 4: (levels, slow-down).
 PAPER_FIGURE_4 = {"uniform-size": [(1, 1.3), (2, 1)], "uniform-volume": [(1, 220), (8, 1)]}
@@ -119,6 +120,10 @@ def slope(points):
     return sum((u - x) * (v - y) for u, v in zip(xs, ys)) / sum((u - x) ** 2 for u in xs)
 
 
+def slope_text(points):
+    return f"{slope(points):.3f}" if len(points) > 1 else "-"
+
+
 def relative_times(rows):
     """Lines of the laws, over equal spheres of the same number."""
     mono = {r.particles: r.ns for r in rows if law_of(r) == "mono"}
@@ -131,7 +136,8 @@ def relative_times(rows):
 
 def draw_figure_5(rows, path):
     print("| search | system | " + " | ".join(f"{n:,.0f}" for n in in_order(r.particles for r in rows)), end=" |")
-    print(" slope of T against N |\n" + "|---|---|" + "---|" * (1 + len({r.particles for r in rows})))
+    print(f" slope of T against N | from N = {OUT_OF_CACHE:,} |")
+    print("|---|---|" + "---|" * (2 + len({r.particles for r in rows})))
     panels = []
     for name in in_order(map(program_text, rows)):
         group = [r for r in rows if program_text(r) == name]
@@ -143,8 +149,8 @@ def draw_figure_5(rows, path):
                 "-" if n not in own else f"{relative[n]:.2f}" if relative else f"{own[n].ns:.1f} ns"
                 for n in in_order(r.particles for r in rows)
             ]
-            steepness = f"{slope([(n, n * r.ns) for n, r in own.items()]):.3f}" if len(own) > 1 else "-"
-            print(f"| {name} | {law} | " + " | ".join(cells) + f" | {steepness} |")
+            slopes = [slope_text([(n, n * r.ns) for n, r in own.items() if n >= least]) for least in (0, OUT_OF_CACHE)]
+            print(f"| {name} | {law} | " + " | ".join(cells + slopes) + " |")
         counts = [r.particles for r in group]
         lines.append(Line("paper, largest", [(n, PAPER_LARGEST) for n in (min(counts), max(counts))], PAPER, True))
         panels.append((name, lines))
