@@ -4,6 +4,7 @@
 #include "programs/accuracy/report/pareto_front.hpp"
 #include "programs/accuracy/report/pareto_picture.hpp"
 #include "programs/accuracy/report/points_file.hpp"
+#include "programs/accuracy/report/report.hpp"
 #include "tests/support/frame.h"
 
 #include <unistd.h>
@@ -86,6 +87,25 @@ bool the_picture_holds_all_points() {
          count_of(picture, "The title") == 1 && count_of(picture, "Not drawn") == 0;
 }
 
+// What changes the time alone is drawn over its numbers, all of them joined, and only where there are no errors to
+// draw.
+bool numbers_have_a_picture_of_their_own() {
+  const std::vector<accuracy::Study> errors = {{"parameter", "The title", "", nullptr}},
+                                     numbers = {{"exact", "Numbers", "", nullptr, "levels"}};
+  std::vector<Point> points = {point("a", 1e-1, 10), point("1 level", 0, 60, true), point("2 levels", 0, 50),
+                               point("3 levels", 0, 70)};
+  for (size_t k = 1; k < points.size(); k++) {
+    points[k].parameter = "exact";
+    points[k].number = static_cast<double>(k);
+  }
+  const std::string alone = accuracy::pareto_picture(numbers, points);
+  const std::string both = accuracy::pareto_picture({errors[0], numbers[0]}, points);
+  const std::string report = accuracy::report({errors[0], numbers[0]}, points, accuracy::Style::kText);
+  return count_of(alone, "stroke-width=\"1.5\"/>\n") == 2 + 1 && count_of(alone, ">levels<") == 1 &&
+         count_of(alone, "error") == 0 && count_of(both, "Numbers") == 0 && count_of(both, "The title") == 1 &&
+         count_of(report, "3 levels") == 1;  // in its table, not among the digits
+}
+
 bool same(const Point &a, const Point &b) {
   return a.parameter == b.parameter && a.system == b.system && a.setting == b.setting && a.error_of == b.error_of &&
          a.error == b.error && a.cost == b.cost && a.is_default == b.is_default && a.note == b.note &&
@@ -112,6 +132,7 @@ int main() {
                               cmocka_unit_test(passes<ties_prefer_the_default>),
                               cmocka_unit_test(passes<parameters_systems_and_errors_are_not_mixed>),
                               cmocka_unit_test(passes<the_picture_holds_all_points>),
+                              cmocka_unit_test(passes<numbers_have_a_picture_of_their_own>),
                               cmocka_unit_test(passes<points_survive_a_file>)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }
