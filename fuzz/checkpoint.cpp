@@ -36,7 +36,7 @@ dem::Setup small_setup() {
   setup.contact.tangential_stiffness = 2.0 / 7;
   setup.contact.rolling_friction = 0.1;
   setup.contact.rolling_stiffness = 2.0 / 7;
-  setup.time_step = dem::shortest_contact(setup) / 50;
+  setup.time_step = dem::shortest_contact(setup).duration / 50;
   return setup;
 }
 

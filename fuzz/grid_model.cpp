@@ -220,13 +220,14 @@ void GridModel::check_triangle(const double *corners, const std::vector<int32_t>
     const double reach = particle.radius + def_.margin;
     double largest = 0, images = 1;
     for (int k = 0; k < 9; k++) largest = std::fmax(largest, std::fabs(corners[k]));
+    for (int k = 0; k < 3; k++) largest = std::fmax(largest, std::fabs(particle.center[k]));
+    const double tolerance = 0x1p-40 * (reach + largest);
     for (int k = 0; k < 3; k++) {
-      largest = std::fmax(largest, std::fabs(particle.center[k]));
       const auto [low, high] = std::minmax({corners[k], corners[3 + k], corners[6 + k]});
-      if (def_.periodic[k] != 0) images *= 2 + (high - low + 2 * reach) / length_of(def_, k);
+      if (def_.periodic[k] != 0) images *= 2 + (high - low + 2 * (reach + tolerance)) / length_of(def_, k);
     }
     if (!(images < 100 && largest < 1e150 && reach < 1e150 && reach + largest > 1e-290)) continue;
-    const oracle::Meeting truth = oracle::triangle_meeting(def_, corners, particle, 0x1p-40 * (reach + largest));
+    const oracle::Meeting truth = oracle::triangle_meeting(def_, corners, particle, tolerance);
     const bool found = std::binary_search(ids.begin(), ids.end(), ids_[row]);
     expect(found || truth < oracle::Meeting::kTouching || (truth == oracle::Meeting::kTouching && def_.touching == 0),
            "a triangle misses a particle");
