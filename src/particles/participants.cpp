@@ -4,7 +4,18 @@
 
 #include "src/base/parallel.hpp"
 
+#include <cstring>
+
 namespace hg {
+namespace {
+
+// Rows of D numbers of those in slots[begin .. end), in their order.
+template <size_t D>
+void gather(const double *from, const uint32_t *slots, size_t begin, size_t end, double *to) {
+  for (size_t k = begin; k < end; k++) std::memcpy(to + k * D, from + slots[k] * D, D * sizeof(double));
+}
+
+}  // namespace
 
 void ParticipantList::list(const ParticleStore &store, const GroupTable &table) {
   const int8_t *group = store.groups();
@@ -49,11 +60,8 @@ Participants ParticipantList::of(const ParticleStore &store, const GroupTable &t
   centers_.require_room(array_bytes(count, dimension));
   radii_.require_room(count);
   each_part(count < kWorthThreads ? 1 : threads, count, [&](size_t begin, size_t end) {
-    for (size_t k = begin; k < end; k++) {
-      const size_t slot = slots_[k];
-      for (size_t axis = 0; axis < dimension; axis++) centers_[k * dimension + axis] = store.center(slot)[axis];
-      radii_[k] = store.radius(slot);
-    }
+    (dimension == 2 ? gather<2> : gather<3>)(store.centers(), slots_.data(), begin, end, centers_.data());
+    gather<1>(store.radii(), slots_.data(), begin, end, radii_.data());
   });
   if (count > 0) summary_ = store.summarise(centers_.data(), radii_.data(), count);
   return {store, centers_.data(), radii_.data(), slots_.data(), summary_, ranges_, classes_};
