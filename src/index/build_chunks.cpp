@@ -85,6 +85,15 @@ void set_map(Index &index, const ChunkRows::Sizes &sizes, const Participants &pa
   index.map = FixedPoint::wrapping(index.squeezed.squeeze(particles, domain, gap), domain, largest, wraps);
 }
 
+// From places among the participants to the slots that they have in their store.
+void name_slots(Buffer<uint32_t> &slot, const Participants &particles, int threads) {
+  const uint32_t *slots = particles.slots();
+  if (slots == nullptr) return;
+  each_part(threads, particles.count(), [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; i++) slot[i] = slots[slot[i]];
+  });
+}
+
 }  // namespace
 
 void build_chunks(Index &index, ChunkScratch &scratch, const Participants &particles, int threads) {
@@ -110,6 +119,7 @@ void build_chunks(Index &index, ChunkScratch &scratch, const Participants &parti
   auto giants = static_cast<uint32_t>(count);
   for (int h = index.level_count - 1; h >= 0 && index.chunks.level(h).giants; h--) giants = index.levels[h].begin;
   index.chunks.place_giants(input, points.slot.data(), giants, count, dimension);
+  name_slots(points.slot, particles, threads);
   index.row_count = static_cast<int64_t>(index.chunks.rows());
   index.cell_count = static_cast<int64_t>(index.chunks.cells());
 }

@@ -218,16 +218,6 @@ class Builder {
   size_t longest_row_ = 0;
 };
 
-// From the participants to the slots that they have in their store.
-void name_slots(Index &index, const Participants &particles, int threads) {
-  const uint32_t *slots = particles.slots();
-  if (slots == nullptr) return;
-  uint32_t *slot = index.particles.slot.data();
-  each_part(threads, index.particle_count, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; i++) slot[i] = slots[slot[i]];
-  });
-}
-
 void give_bodies(Index &index, const int32_t *bodies, int threads) {
   PointStore &points = index.particles;
   points.with_bodies = index.images.with_bodies = bodies != nullptr;
@@ -272,7 +262,6 @@ void build_index(Index &index, BuildScratch &scratch, const Participants &partic
   } else {
     Builder<3>(index, scratch, particles, threads).run();
   }
-  name_slots(index, particles, threads);
   give_bodies(index, particles.bodies(), threads);
   build_images(index);
 }

@@ -10,8 +10,9 @@ namespace hg {
 
 // For an index whose map and interaction are set.
 inline ParticleInput particle_input(const Participants &particles, const Index &index) {
-  return {particles.centers(), particles.radii(), particles.summary().center, index.map,
-          index.interaction.folded_radius(0)};
+  return {
+      particles.centers(), particles.radii(), particles.summary().center, index.map, index.interaction.folded_radius(0),
+      particles.slots()};
 }
 
 }  // namespace hg

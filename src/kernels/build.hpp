@@ -48,9 +48,10 @@ class BuildBlock {
     for (size_t i = 0; i < kBuildBlock; i++) {
       point[i] = {fixed_[0][i], fixed_[1][i], D == 3 ? fixed_[2][i] : 0, folded_[i]};
     }
+    const uint32_t *slots = input_.slots;
     for (size_t i = 0; i < count; i++) {
       std::memcpy(to[i], point + i, sizeof(Point));
-      to[i]->slot = static_cast<uint32_t>(at + i);
+      to[i]->slot = slots != nullptr ? slots[at + i] : static_cast<uint32_t>(at + i);
     }
   }
 

@@ -47,7 +47,8 @@ struct ParticleInput {
   const double *centers, *radii;
   const Interval *extent;  // of all centers, by axis
   FixedPoint map;
-  double extra_radius;  // makes a radius a folded one
+  double extra_radius;              // makes a radius a folded one
+  const uint32_t *slots = nullptr;  // of the particles, if these are not their places
 };
 
 struct BuildInput : ParticleInput {
