@@ -8,13 +8,6 @@ import argparse
 import csv
 import time
 
-import numpy as np
-import scipy
-from scipy.spatial import cKDTree
-
-import hgrid
-
-
 COLUMNS = (
     "search particles spheres density radius periodic skin threads hits_per_sphere median_us min_us processor_us "
     "min_processor_us runs"
@@ -35,6 +28,13 @@ def parse():
 
 def main():
     options = parse()
+    # What --help does not need may be absent.
+    import numpy as np
+    import scipy
+    from scipy.spatial import cKDTree
+
+    import hgrid
+
     rng = np.random.default_rng(1)
     edge = (4 / 3 * np.pi * options.count / options.density) ** (1 / 3)
     x, queries = edge * rng.random((options.count, 3)), edge * rng.random((options.spheres, 3))
