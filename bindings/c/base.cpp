@@ -47,12 +47,18 @@ const char *hg_status_string(hg_status status) {
       return "HG_ERR_LIMIT";
     case HG_ERR_INTERNAL:
       return "HG_ERR_INTERNAL";
+    case HG_ERR_MPI:
+      return "HG_ERR_MPI";
+    case HG_ERR_REMOTE:
+      return "HG_ERR_REMOTE";
     default:
       return "unknown status";
   }
 }
 
 const char *hg_last_error(void) { return hg::last_error; }
+
+void hg_set_last_error(const char *text) { hg::remember_error(text != nullptr ? text : ""); }
 
 void hg_version(int *major, int *minor, int *patch) {
   if (major != nullptr) *major = HG_VERSION_MAJOR;

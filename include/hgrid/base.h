@@ -39,7 +39,9 @@ enum {
   HG_ERR_STATE = 5,     /* the call is not allowed now, e.g. from inside a visitor of the same grid */
   HG_ERR_NOT_FOUND = 6, /* no particle has that id */
   HG_ERR_LIMIT = 7,     /* a documented limit is exceeded: number of particles, of levels, of box lengths */
-  HG_ERR_INTERNAL = 8   /* a fault of the library: please report it */
+  HG_ERR_INTERNAL = 8,  /* a fault of the library: please report it */
+  HG_ERR_MPI = 9,       /* libhgrid_mpi: a call of MPI failed; ranks cannot agree any more */
+  HG_ERR_REMOTE = 10    /* libhgrid_mpi: the collective call failed on another rank, which the text names */
 };
 
 /* The name of a status, e.g. "HG_ERR_ARGUMENT"; "unknown status" for any other value. Never NULL; static storage. */
@@ -48,6 +50,10 @@ HG_API const char *hg_status_string(hg_status status);
 /* What went wrong in the last failing call of this thread, naming the offending index and value.
  * Empty before the first failure. Borrowed: overwritten by the next failure of the same thread. */
 HG_API const char *hg_last_error(void);
+
+/* For libraries that stand on this one and report as it does: the text that hg_last_error returns on this thread from
+ * now on; copied, at most 255 characters. NULL: empty. */
+HG_API void hg_set_last_error(const char *text);
 
 /* The version of the library that is loaded. Each pointer may be NULL. */
 HG_API void hg_version(int *major, int *minor, int *patch);

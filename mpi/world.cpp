@@ -1,0 +1,405 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpi/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hgrid::mpi {
+
+World::World(MPI_Comm comm, const hg_grid_def &grid_def, const hg_mpi_def &def)
+    : comm_(comm),
+      grid_def_(grid_def),
+      def_(def),
+      rule_(grid_def),
+      search_(grid_def),
+      judge_(make_grid(grid_def)) {
+  // The search has its own copy, for grids that it makes later.
+  grid_def_.cell_sizes = nullptr;
+  check_mpi(MPI_Comm_rank(comm_, &rank_), "MPI_Comm_rank");
+  check_mpi(MPI_Comm_size(comm_, &size_), "MPI_Comm_size");
+  largest_.resize(2 * static_cast<size_t>(size_));
+  particles_.dimension = static_cast<size_t>(grid_def.dimension);
+}
+
+World::~World() {
+  int finalized = 0;
+  MPI_Finalized(&finalized);
+  if (finalized == 0) MPI_Comm_free(&comm_);
+}
+
+void World::check_call() const {
+  if (is_visited()) fail(HG_ERR_STATE, "the pairs are being visited: no call on the object from its visitor");
+}
+
+void World::check_usable() const {
+  check_call();
+  if (!usable_) fail(HG_ERR_STATE, "there are no particles: call hg_mpi_set first, also after a call that failed midway");
+}
+
+void World::check_numbers(size_t count, const double *centers, const double *radii) const {
+  if (count > 0) check_pointer(centers, "centers");
+  const size_t d = particles_.dimension;
+  for (size_t k = 0; k < count * d; k++) {
+    if (!std::isfinite(centers[k])) fail(HG_ERR_ARGUMENT, "centers[%zu][%zu] is %g", k / d, k % d, centers[k]);
+  }
+  for (size_t k = 0; k < count && radii != nullptr; k++) {
+    if (!std::isfinite(radii[k]) || radii[k] < 0) fail(HG_ERR_ARGUMENT, "radii[%zu] is %g", k, radii[k]);
+  }
+}
+
+// Whether two particles could meet twice depends on the two largest of all ranks, so that all decide alike.
+void World::check_cell(size_t count, const double *radii) {
+  double mine[2] = {-1, -1};
+  for (size_t k = 0; k < count; k++) {
+    mine[1] = std::max(mine[1], std::min(mine[0], radii[k]));
+    mine[0] = std::max(mine[0], radii[k]);
+  }
+  check_mpi(MPI_Allgather(mine, 2, MPI_DOUBLE, largest_.data(), 2, MPI_DOUBLE, comm_), "MPI_Allgather");
+  together(comm_, [&] {
+    std::partial_sort(largest_.begin(), largest_.begin() + 2, largest_.end(), [](double p, double q) { return p > q; });
+    const size_t present = largest_[1] >= 0 ? 2 : largest_[0] >= 0 ? 1 : 0;
+    double centers[6] = {0, 0, 0, 0, 0, 0};
+    for (size_t k = 0; k < 2 * particles_.dimension; k++) {
+      const size_t axis = k % particles_.dimension;
+      if (grid_def_.periodic[axis] != 0) centers[k] = grid_def_.box_min[axis];
+    }
+    if (hg_set(judge_.get(), present, centers, largest_.data()) != HG_OK) {
+      fail(HG_ERR_ARGUMENT, "the two largest particles of all ranks, of radii %g and %g: %.150s", largest_[0],
+           largest_[1], hg_last_error());
+    }
+  });
+}
+
+void World::set(size_t count, const int64_t *gids, const double *centers, const double *radii) {
+  Particles fresh;
+  together(comm_, [&] {
+    check_call();
+    if (count > INT32_MAX) fail(HG_ERR_LIMIT, "count = %zu is above 2^31 - 1", count);
+    if (count > 0) {
+      check_pointer(gids, "gids");
+      check_pointer(radii, "radii");
+    }
+    check_numbers(count, centers, radii);
+    const size_t d = particles_.dimension;
+    fresh.dimension = d;
+    if (count > 0) {
+      fresh.gids.assign(gids, gids + count);
+      fresh.centers.assign(centers, centers + count * d);
+      fresh.radii.assign(radii, radii + count);
+    }
+    fresh.groups.assign(count, 0);
+    fresh.bodies.assign(count, -1);
+  });
+  check_cell(count, radii);
+  if (def_.verify != 0) check_unique(comm_, fresh.gids);
+  usable_ = balanced_ = false;
+  particles_ = std::move(fresh);
+  owned_ = count;
+  choose_ghosts();
+  imbalance_ = imbalance_of(static_cast<double>(count));
+}
+
+double World::imbalance_of(double weight) const {
+  double sum = 0, most = 0;
+  check_mpi(MPI_Allreduce(&weight, &sum, 1, MPI_DOUBLE, MPI_SUM, comm_), "MPI_Allreduce");
+  check_mpi(MPI_Allreduce(&weight, &most, 1, MPI_DOUBLE, MPI_MAX, comm_), "MPI_Allreduce");
+  return sum > 0 ? most * size_ / sum : 1;
+}
+
+void World::choose_ghosts() {
+  usable_ = false;
+  std::vector<SizeBox> boxes;
+  together(comm_, [&] {
+    particles_.resize(owned_);
+    boxes = make_size_boxes(rule_.cell(), owned_, particles_.centers.data(), particles_.radii.data());
+    chosen_centers_ = particles_.centers;
+    chosen_radii_ = particles_.radii;
+  });
+  std::vector<size_t> begin;
+  boxes = gather_boxes(std::move(boxes), &begin);
+  std::vector<std::vector<int32_t>> rows;
+  together(comm_, [&] { rows = rows_to_send(boxes, begin); });
+  ghosts_.plan(comm_, owned_, rows);
+  std::vector<Traveller> leaving, arriving;
+  together(comm_, [&] {
+    for (size_t k = 0; k < owned_; k++) leaving.push_back(particles_.pack(k, 0));
+    arriving.resize(ghosts_.arrival_count());
+  });
+  ghosts_.forward(sizeof(Traveller), leaving.data(), arriving.data());
+  together(comm_, [&] {
+    particles_.resize(owned_ + arriving.size());
+    ghost_owners_.resize(arriving.size());
+    for (size_t k = 0; k < arriving.size(); k++) {
+      particles_.unpack(owned_ + k, arriving[k]);
+      ghost_owners_[k] = ghosts_.source_of(k);
+    }
+    search_.set(particles_, owned_);
+  });
+  selection_count_++;
+  usable_ = true;
+}
+
+// The boxes of all ranks; those of rank k are (*begin)[k] .. (*begin)[k + 1] - 1.
+std::vector<SizeBox> World::gather_boxes(std::vector<SizeBox> mine, std::vector<size_t> *begin) const {
+  const auto ranks = static_cast<size_t>(size_);
+  std::vector<int> counts, places;
+  std::vector<SizeBox> all;
+  together(comm_, [&] {
+    counts.resize(ranks);
+    places.resize(ranks);
+    begin->assign(ranks + 1, 0);
+  });
+  // In bytes: a box is 72 of them, and a rank has a few boxes.
+  const int bytes = static_cast<int>(mine.size() * sizeof(SizeBox));
+  check_mpi(MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_), "MPI_Allgather");
+  together(comm_, [&] {
+    for (size_t k = 0; k < ranks; k++) {
+      const size_t end = (*begin)[k] + static_cast<size_t>(counts[k]) / sizeof(SizeBox);
+      if (end * sizeof(SizeBox) > INT32_MAX) fail(HG_ERR_LIMIT, "more than 2^31 - 1 bytes of boxes");
+      places[k] = static_cast<int>((*begin)[k] * sizeof(SizeBox));
+      (*begin)[k + 1] = end;
+    }
+    all.resize(begin->back());
+  });
+  check_mpi(MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), places.data(), MPI_BYTE, comm_),
+            "MPI_Allgatherv");
+  return all;
+}
+
+// Each particle once to each rank that has a smaller one in its reach, whatever the number of periods.
+std::vector<std::vector<int32_t>> World::rows_to_send(const std::vector<SizeBox> &boxes,
+                                                      const std::vector<size_t> &begin) const {
+  std::vector<std::vector<int32_t>> rows(static_cast<size_t>(size_));
+  const auto own = static_cast<size_t>(rank_);
+  std::vector<SizeBox> near;
+  for (size_t k = 0; k < rows.size(); k++) {
+    if (k == own) continue;
+    // Their boxes that any of ours may meet: most ranks have none.
+    near.clear();
+    for (size_t theirs = begin[k]; theirs < begin[k + 1]; theirs++) {
+      for (size_t mine = begin[own]; mine < begin[own + 1]; mine++) {
+        if (!rule_.may_meet(boxes[theirs], boxes[mine])) continue;
+        near.push_back(boxes[theirs]);
+        break;
+      }
+    }
+    if (near.empty()) continue;
+    for (size_t row = 0; row < owned_; row++) {
+      const double *center = particles_.center(row);
+      const double radius = particles_.radii[row];
+      if (std::any_of(near.begin(), near.end(),
+                      [&](const SizeBox &theirs) { return rule_.may_meet(theirs, center, radius); })) {
+        rows[k].push_back(static_cast<int32_t>(row));
+      }
+    }
+  }
+  return rows;
+}
+
+bool World::moved_too_far(const double *centers, const double *radii) const {
+  const double most = 0.5 * grid_def_.skin * (1 - 0x1p-40);
+  const size_t d = particles_.dimension;
+  for (size_t k = 0; k < owned_; k++) {
+    double way = rule_.cell().distance_moved(&chosen_centers_[k * d], centers + k * d);
+    if (radii != nullptr) way += std::max(0.0, radii[k] - chosen_radii_[k]);
+    if (!(way <= most)) return true;
+  }
+  return false;
+}
+
+bool World::move(size_t count, const double *centers, const double *radii) {
+  // Whether radii are new, and whether ghosts must be chosen anew: of this rank, then of any.
+  int mine[2] = {0, 0}, any[2] = {0, 0};
+  together(comm_, [&] {
+    check_usable();
+    if (count != owned_) fail(HG_ERR_ARGUMENT, "count = %zu, but this rank owns %zu particles", count, owned_);
+    check_numbers(count, centers, radii);
+    mine[0] = radii != nullptr ? 1 : 0;
+    // Radii that stay since an earlier move may have grown since ghosts were chosen.
+    const double *now = radii != nullptr || count == 0 ? radii : particles_.radii.data();
+    mine[1] = moved_too_far(centers, now) ? 1 : 0;
+  });
+  check_mpi(MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, comm_), "MPI_Allreduce");
+  if (any[0] != 0) check_cell(count, radii != nullptr ? radii : particles_.radii.data());
+  usable_ = false;
+  std::copy(centers, centers + count * particles_.dimension, particles_.centers.begin());
+  if (radii != nullptr) std::copy(radii, radii + count, particles_.radii.begin());
+  if (any[1] != 0) {
+    choose_ghosts();
+  } else {
+    update_ghosts();
+  }
+  return any[1] != 0;
+}
+
+void World::update_ghosts() {
+  struct Place {
+    double center[3];
+    double radius;
+  };
+  const size_t d = particles_.dimension;
+  std::vector<Place> leaving, arriving;
+  together(comm_, [&] {
+    leaving.resize(owned_);
+    arriving.resize(ghosts_.arrival_count());
+    for (size_t k = 0; k < owned_; k++) {
+      std::copy(particles_.center(k), particles_.center(k) + d, leaving[k].center);
+      leaving[k].radius = particles_.radii[k];
+    }
+  });
+  ghosts_.forward(sizeof(Place), leaving.data(), arriving.data());
+  together(comm_, [&] {
+    for (size_t k = 0; k < arriving.size(); k++) {
+      std::copy(arriving[k].center, arriving[k].center + d, &particles_.centers[(owned_ + k) * d]);
+      particles_.radii[owned_ + k] = arriving[k].radius;
+    }
+    search_.move(particles_);
+  });
+  update_count_++;
+  usable_ = true;
+}
+
+std::vector<double> World::weights_of_pairs() {
+  std::vector<double> weights(owned_, 1.0);
+  const auto base = static_cast<size_t>(grid_def_.index_base);
+  for (const hg_pair &pair : search_.pairs()) weights[static_cast<size_t>(pair.a) - base] += 2;
+  return weights;
+}
+
+void World::balance(const double *weights) {
+  // Whether this rank has weights, and whether it lacks them; one without particles need not say.
+  int mine[2] = {0, 0}, any[2] = {0, 0};
+  together(comm_, [&] {
+    check_usable();
+    mine[weights != nullptr ? 0 : 1] = owned_ > 0 ? 1 : 0;
+    for (size_t k = 0; k < owned_ && weights != nullptr; k++) {
+      if (!std::isfinite(weights[k]) || weights[k] < 0) fail(HG_ERR_ARGUMENT, "weights[%zu] is %g", k, weights[k]);
+    }
+  });
+  check_mpi(MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, comm_), "MPI_Allreduce");
+  std::vector<double> used;
+  together(comm_, [&] {
+    if (any[0] != 0 && any[1] != 0) fail(HG_ERR_ARGUMENT, "weights are given on some ranks only");
+    used = any[0] != 0 && owned_ > 0 ? std::vector<double>(weights, weights + owned_) : weights_of_pairs();
+  });
+  const std::vector<int32_t> owners = choose_owners(comm_, def_, rule_.cell(), particles_, used);
+  usable_ = balanced_ = false;
+  std::vector<std::vector<int32_t>> rows;
+  together(comm_, [&] {
+    rows.resize(static_cast<size_t>(size_));
+    for (size_t k = 0; k < owned_; k++) rows[static_cast<size_t>(owners[k])].push_back(static_cast<int32_t>(k));
+  });
+  migration_.plan(comm_, owned_, rows);
+  std::vector<Traveller> leaving, arriving;
+  together(comm_, [&] {
+    for (size_t k = 0; k < owned_; k++) leaving.push_back(particles_.pack(k, used[k]));
+    arriving.resize(migration_.arrival_count());
+  });
+  migration_.forward(sizeof(Traveller), leaving.data(), arriving.data());
+  double weight = 0;
+  together(comm_, [&] {
+    particles_.resize(arriving.size());
+    for (size_t k = 0; k < arriving.size(); k++) {
+      particles_.unpack(k, arriving[k]);
+      weight += arriving[k].weight;
+    }
+  });
+  owned_ = arriving.size();
+  choose_ghosts();
+  balanced_ = true;
+  imbalance_ = imbalance_of(weight);
+}
+
+void World::migrate(size_t row_bytes, const void *before, void *after) {
+  together(comm_, [&] {
+    check_usable();
+    if (!balanced_) fail(HG_ERR_STATE, "no hg_mpi_balance since hg_mpi_set: there is nothing to follow");
+  });
+  migration_.forward(row_bytes, before, after);
+}
+
+void World::forward(size_t row_bytes, const void *owned, void *ghosts) {
+  together(comm_, [&] { check_usable(); });
+  ghosts_.forward(row_bytes, owned, ghosts);
+}
+
+void World::add_back(size_t columns, const double *ghosts, double *owned) {
+  together(comm_, [&] { check_usable(); });
+  ghosts_.add_back(columns, ghosts, owned);
+}
+
+// New numbers of the owned particles, `none` if there are none, and of their ghosts.
+void World::spread(size_t count, const int32_t *numbers, int32_t none, std::vector<int32_t> Particles::*column) {
+  std::vector<int32_t> fresh;
+  together(comm_, [&] {
+    fresh.assign(particles_.count(), none);
+    if (numbers != nullptr) std::copy(numbers, numbers + count, fresh.begin());
+  });
+  ghosts_.forward(sizeof(int32_t), fresh.data(), fresh.data() + owned_);
+  particles_.*column = std::move(fresh);
+}
+
+void World::set_groups(size_t count, const int32_t *groups) {
+  together(comm_, [&] {
+    check_usable();
+    if (groups == nullptr) return;
+    if (count != owned_) fail(HG_ERR_ARGUMENT, "count = %zu, but this rank owns %zu particles", count, owned_);
+    for (size_t k = 0; k < count; k++) {
+      if (groups[k] < -1 || groups[k] >= HG_MPI_MAX_GROUPS) {
+        fail(HG_ERR_ARGUMENT, "groups[%zu] is %d, not in -1 .. %d", k, static_cast<int>(groups[k]),
+             HG_MPI_MAX_GROUPS - 1);
+      }
+    }
+  });
+  spread(count, groups, 0, &Particles::groups);
+  usable_ = false;
+  together(comm_, [&] { search_.set_groups(particles_); });
+  usable_ = true;
+}
+
+void World::set_bodies(size_t count, const int32_t *bodies) {
+  together(comm_, [&] {
+    check_usable();
+    if (bodies == nullptr) return;
+    if (count != owned_) fail(HG_ERR_ARGUMENT, "count = %zu, but this rank owns %zu particles", count, owned_);
+    for (size_t k = 0; k < count; k++) {
+      if (bodies[k] < -1) fail(HG_ERR_ARGUMENT, "bodies[%zu] is %d, below -1", k, static_cast<int>(bodies[k]));
+    }
+  });
+  spread(count, bodies, -1, &Particles::bodies);
+  usable_ = false;
+  together(comm_, [&] { search_.set_bodies(particles_); });
+  usable_ = true;
+}
+
+void World::set_group_pair(int32_t group_a, int32_t group_b, int32_t interacts) {
+  const int64_t told = (int64_t{group_a} * INT16_MAX + group_b) * INT16_MAX + interacts;
+  together_of(comm_, told, "the pair of groups", [&] {
+    check_call();
+    for (const int32_t group : {group_a, group_b}) {
+      if (group < 0 || group >= HG_MPI_MAX_GROUPS) {
+        fail(HG_ERR_ARGUMENT, "the group %d is not in 0 .. %d", static_cast<int>(group), HG_MPI_MAX_GROUPS - 1);
+      }
+    }
+    if (interacts != 0 && interacts != 1) fail(HG_ERR_ARGUMENT, "interacts is %d", static_cast<int>(interacts));
+  });
+  together(comm_, [&] { search_.set_group_pair(group_a, group_b, interacts != 0); });
+}
+
+hg_mpi_stats World::stats() const {
+  hg_mpi_stats stats{};
+  stats.owned_count = static_cast<int64_t>(owned_);
+  stats.ghost_count = static_cast<int64_t>(particles_.count() - owned_);
+  stats.pair_count = search_.pair_count();
+  stats.send_rank_count = ghosts_.send_rank_count();
+  stats.receive_rank_count = ghosts_.receive_rank_count();
+  stats.sent_byte_count = ghosts_.sent_byte_count() + migration_.sent_byte_count();
+  stats.selection_count = selection_count_;
+  stats.update_count = update_count_;
+  stats.opened_axis_count = search_.opened_axis_count();
+  stats.imbalance = imbalance_;
+  return stats;
+}
+
+}  // namespace hgrid::mpi
