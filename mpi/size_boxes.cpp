@@ -90,6 +90,15 @@ std::vector<SizeBox> make_size_boxes(const Cell &cell, size_t count, const doubl
   return boxes;
 }
 
+double ReachRule::reach(double larger, double smaller) const {
+  return (max_range_ ? larger : larger + smaller) + margin_ + skin_;
+}
+
+bool ReachRule::may_meet(const SizeBox &others, const double *center, double radius) const {
+  if (others.smallest > radius) return false;
+  return cell_.may_reach(others.box, center, reach(radius, std::min(radius, others.largest)));
+}
+
 bool ReachRule::may_meet(const SizeBox &others, const SizeBox &mine) const {
   // A place in one box is within reach of the other if the low corner of the first is within reach of the other box
   // grown by the extents of the first.

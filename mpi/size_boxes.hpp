@@ -29,17 +29,12 @@ class ReachRule {
 
   const Cell &cell() const { return cell_; }
   // Whether a particle may meet, as the larger of the two, one of those in the box, until all have used up the skin.
-  bool may_meet(const SizeBox &others, const double *center, double radius) const {
-    if (others.smallest > radius) return false;
-    return cell_.may_reach(others.box, center, reach(radius, radius < others.largest ? radius : others.largest));
-  }
+  bool may_meet(const SizeBox &others, const double *center, double radius) const;
   // Whether any particle of one box may so meet one of the other.
   bool may_meet(const SizeBox &others, const SizeBox &mine) const;
 
  private:
-  double reach(double larger, double smaller) const {
-    return (max_range_ ? larger : larger + smaller) + margin_ + skin_;
-  }
+  double reach(double larger, double smaller) const;
 
   Cell cell_;
   bool max_range_;
