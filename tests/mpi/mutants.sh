@@ -2,21 +2,25 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
 # Wrong variants of the rule, each put into a copy of one source file: the tests must notice every one of them.
-# mutants.sh SOURCE_DIR WORK_DIR "COMPILER FLAGS..." "MPIRUN OPTIONS..." "LIBRARIES..." FUZZ_OBJECT GHOSTS_OBJECT OBJECT...
+# mutants.sh SOURCE_DIR WORK_DIR "COMPILER FLAGS..." "MPIRUN OPTIONS..." "LIBRARIES..." TEST_DIR OBJECT...
 set -euo pipefail
-source=$1 work=$2 fuzz=$6 ghosts=$7
+source=$1 work=$2 tests=$6
 read -ra compiler <<<"$3"
 read -ra mpirun <<<"$4"
 read -ra libraries <<<"$5"
-shift 7
+shift 6
 objects=("$@")
 rm -rf "$work"
 mkdir -p "$work"
+for program in fuzz ghosts; do
+  "${compiler[@]}" -c "$tests/$program.cpp" -o "$work/$program.o"
+done
+fuzz=$work/fuzz.o ghosts=$work/ghosts.o
 
-# mutant NAME FILE SED_SCRIPT PROGRAM_OBJECT MESSAGE ARGUMENT...: the program must fail and say the message.
+# mutant NAME FILE SED_SCRIPT PROGRAM_OBJECT MESSAGE RANKS ARGUMENT...: the program must fail and say the message.
 mutant() {
-  local name=$1 file=$2 script=$3 program=$4 message=$5
-  shift 5
+  local name=$1 file=$2 script=$3 program=$4 message=$5 ranks=$6
+  shift 6
   sed "$script" "$source/mpi/$file" >"$work/$name.cpp"
   if cmp -s "$source/mpi/$file" "$work/$name.cpp"; then
     echo "$name: the line to change is no longer in mpi/$file"
@@ -29,7 +33,7 @@ mutant() {
   done
   ((${#others[@]} == ${#objects[@]} - 1)) || { echo "$name: no object of mpi/$file" && exit 1; }
   "${compiler[@]}" "$program" "$work/$name.o" "${others[@]}" "${libraries[@]}" -o "$work/$name"
-  if timeout 60 "${mpirun[@]}" "$work/$name" "$@" >"$work/$name.log" 2>&1; then
+  if timeout 60 "${mpirun[@]}" "$ranks" "$work/$name" "$@" >"$work/$name.log" 2>&1; then
     echo "$name: not noticed"
     exit 1
   fi
@@ -39,18 +43,18 @@ mutant() {
 
 pairs='pairs are wrong'
 mutant reach size_boxes.cpp 's/return (max_range_.*;/return 0.98 * ((max_range_ ? larger : larger + smaller) + margin_ + skin_);/' \
-  "$fuzz" "$pairs" 200
-mutant lost_ties local_search.cpp 's/return ra != rb ? ra < rb : .*;/return ra < rb;/' "$fuzz" "$pairs" 40
-mutant doubled_ties local_search.cpp 's/return ra != rb ? ra < rb : .*;/return ra <= rb;/' "$fuzz" "$pairs" 40
+  "$fuzz" "$pairs" 3 200
+mutant lost_ties local_search.cpp 's/return ra != rb ? ra < rb : .*;/return ra < rb;/' "$fuzz" "$pairs" 3 40
+mutant doubled_ties local_search.cpp 's/return ra != rb ? ra < rb : .*;/return ra <= rb;/' "$fuzz" "$pairs" 3 40
 mutant radii_of_now local_search.cpp 's/^void LocalSearch::move.*/&\n  ranking_radii_ = particles.radii;/' \
-  "$fuzz" "$pairs" 200
-mutant no_skin size_boxes.cpp 's/ + margin_ + skin_;/ + margin_;/' "$fuzz" "$pairs" 200
+  "$fuzz" "$pairs" 3 200
+mutant no_skin size_boxes.cpp 's/ + margin_ + skin_;/ + margin_;/' "$fuzz" "$pairs" 3 200
 shift='for (int axis = 0; axis < 3; axis++) if (grid_def_.periodic[axis] != 0) leaving.back().center[axis] += '
 shift+='grid_def_.box_max[axis] - grid_def_.box_min[axis];'
-mutant shifted_copies world.cpp "s/leaving.push_back(particles_.pack(k, 0));/{ & $shift }/" "$fuzz" "$pairs" 40
+mutant shifted_copies world.cpp "s/leaving.push_back(particles_.pack(k, 0));/{ & $shift }/" "$fuzz" "$pairs" 3 40
 # Boxes of where particles were when owners or ghosts were chosen last, as the cuts of a partition are.
 cuts='(chosen_centers_.size() == owned_ * particles_.dimension ? chosen_centers_ : particles_.centers)'
 mutant cuts world.cpp "s/boxes = make_size_boxes(rule_.cell(), owned_, particles_.centers/boxes = make_size_boxes(rule_.cell(), owned_, $cuts/" \
-  "$fuzz" "$pairs" 200
+  "$fuzz" "$pairs" 3 200
 # Right, but with more ghosts than the rule needs.
-mutant no_smallest size_boxes.cpp '/if (others.smallest > /d' "$ghosts" 'ghosts per particle' 20000 1 check
+mutant no_smallest size_boxes.cpp '/if (others.smallest > /d' "$ghosts" 'too many ghosts' 1 125001 8
