@@ -9,5 +9,10 @@ target_include_directories(hgrid_fortran INTERFACE $<INSTALL_INTERFACE:${HGRID_F
 install(TARGETS hgrid_fortran EXPORT hgridFortranTargets)
 install(EXPORT hgridFortranTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR})
 
+if(TARGET hgrid_mpi_fortran)
+  install(TARGETS hgrid_mpi_fortran EXPORT hgridMpiFortranTargets)
+  install(EXPORT hgridMpiFortranTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR})
+endif()
+
 get_target_property(hgrid_module_dir hgrid_fortran Fortran_MODULE_DIRECTORY)
 install(DIRECTORY ${hgrid_module_dir}/ DESTINATION ${HGRID_FORTRAN_INCLUDEDIR} FILES_MATCHING PATTERN "*.mod")

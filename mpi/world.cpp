@@ -37,7 +37,7 @@ void World::check_usable() const {
   if (!usable_) fail(HG_ERR_STATE, "there are no particles: call hg_mpi_set first, also after a call that failed midway");
 }
 
-void World::check_numbers(size_t count, const double *centers, const double *radii) const {
+void World::check_numbers(size_t count, const double *centers, const double *radii) {
   if (count > 0) check_pointer(centers, "centers");
   const size_t d = particles_.dimension;
   for (size_t k = 0; k < count * d; k++) {
@@ -46,6 +46,25 @@ void World::check_numbers(size_t count, const double *centers, const double *rad
   for (size_t k = 0; k < count && radii != nullptr; k++) {
     if (!std::isfinite(radii[k]) || radii[k] < 0) fail(HG_ERR_ARGUMENT, "radii[%zu] is %g", k, radii[k]);
   }
+  // A particle far outside the periodic box is its owner's fault, and not that of ranks that get it as a ghost.
+  if (may_be_outside(count, centers)) {
+    const std::vector<double> points(count, 0.0);
+    check(hg_set(judge_.get(), count, centers, points.data()));
+  }
+}
+
+bool World::may_be_outside(size_t count, const double *centers) const {
+  const size_t d = particles_.dimension;
+  for (size_t axis = 0; axis < d; axis++) {
+    if (grid_def_.periodic[axis] == 0) continue;
+    // Tilts add up; the grid knows how.
+    if (grid_def_.tilt[0] != 0 || grid_def_.tilt[1] != 0 || grid_def_.tilt[2] != 0) return true;
+    const double far = 0x1p18 * rule_.cell().length(static_cast<int>(axis));
+    for (size_t k = axis; k < count * d; k += d) {
+      if (!(std::fabs(centers[k] - grid_def_.box_min[axis]) < far)) return true;
+    }
+  }
+  return false;
 }
 
 // Whether two particles could meet twice depends on the two largest of all ranks, so that all decide alike.
@@ -64,8 +83,9 @@ void World::check_cell(size_t count, const double *radii) {
       const size_t axis = k % particles_.dimension;
       if (grid_def_.periodic[axis] != 0) centers[k] = grid_def_.box_min[axis];
     }
-    if (hg_set(judge_.get(), present, centers, largest_.data()) != HG_OK) {
-      fail(HG_ERR_ARGUMENT, "the two largest particles of all ranks, of radii %g and %g: %.150s", largest_[0],
+    const hg_status status = hg_set(judge_.get(), present, centers, largest_.data());
+    if (status != HG_OK) {
+      fail(status, "the two largest particles of all ranks, of radii %g and %g: %.150s", largest_[0],
            largest_[1], hg_last_error());
     }
   });

@@ -44,7 +44,8 @@ class World {
 
  private:
   void check_call() const;
-  void check_numbers(size_t count, const double *centers, const double *radii) const;
+  void check_numbers(size_t count, const double *centers, const double *radii);
+  bool may_be_outside(size_t count, const double *centers) const;
   void check_cell(size_t count, const double *radii);
   bool moved_too_far(const double *centers, const double *radii) const;
   void choose_ghosts();
@@ -62,7 +63,7 @@ class World {
   hg_mpi_def def_;
   ReachRule rule_;
   LocalSearch search_;
-  GridHandle judge_;  // of short cells: a grid with the two largest particles of all ranks
+  GridHandle judge_;  // a grid that says whether particles are fine: the two largest of all ranks, or those far outside
   std::vector<double> largest_;
 
   bool usable_ = false;    // after hg_mpi_set, unless a call failed midway since

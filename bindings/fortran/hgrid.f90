@@ -15,8 +15,8 @@ module hgrid
     use hgrid_queries, only: hg_grid
     use hgrid_types, only: c_hg_version, hg_grid_def, hg_grid_stats, hg_level, hg_level_cost, &
         HG_ALL_IMAGES, HG_CONTACT, HG_DOUBLE, HG_ERR_ARGUMENT, HG_ERR_CAPACITY, HG_ERR_INTERNAL, &
-        HG_ERR_LIMIT, HG_ERR_MEMORY, HG_ERR_NOT_FOUND, HG_ERR_NULL, HG_ERR_STATE, HG_EXACT, &
-        HG_FLOAT, HG_FULL, HG_HALF, HG_LEVELS_AUTO, HG_LEVELS_PAPER, HG_LEVELS_USER, &
+        HG_ERR_LIMIT, HG_ERR_MEMORY, HG_ERR_MPI, HG_ERR_NOT_FOUND, HG_ERR_NULL, HG_ERR_REMOTE, &
+        HG_ERR_STATE, HG_EXACT, HG_FLOAT, HG_FULL, HG_HALF, HG_LEVELS_AUTO, HG_LEVELS_PAPER, HG_LEVELS_USER, &
         HG_MAX_BATCH, HG_MAX_GROUPS, HG_MAX_LEVELS, HG_MAX_RANGE, HG_NEAREST_IMAGE, HG_OK, &
         HG_ORDER_GRID, HG_ORDER_ID
     use hgrid_visit, only: hg_contact_visitor, hg_pair_procedure, hg_pair_visitor
@@ -27,7 +27,7 @@ module hgrid
     public :: hg_grid_stats, hg_history, hg_level, hg_level_cost, hg_pair_procedure
     public :: hg_pair_visitor, hg_status_string, hg_version
     public :: HG_OK, HG_ERR_NULL, HG_ERR_ARGUMENT, HG_ERR_MEMORY, HG_ERR_CAPACITY, HG_ERR_STATE
-    public :: HG_ERR_NOT_FOUND, HG_ERR_LIMIT, HG_ERR_INTERNAL
+    public :: HG_ERR_NOT_FOUND, HG_ERR_LIMIT, HG_ERR_INTERNAL, HG_ERR_MPI, HG_ERR_REMOTE
     public :: HG_CONTACT, HG_MAX_RANGE, HG_EXACT, HG_DOUBLE, HG_FLOAT, HG_ORDER_GRID, HG_ORDER_ID
     public :: HG_LEVELS_AUTO, HG_LEVELS_PAPER, HG_LEVELS_USER, HG_HALF, HG_FULL, HG_MAX_LEVELS
     public :: HG_NEAREST_IMAGE, HG_ALL_IMAGES, HG_MAX_BATCH, HG_MAX_GROUPS

@@ -26,6 +26,8 @@ module hgrid_types
     integer(c_int32_t), parameter, public :: HG_ERR_NOT_FOUND = 6
     integer(c_int32_t), parameter, public :: HG_ERR_LIMIT = 7
     integer(c_int32_t), parameter, public :: HG_ERR_INTERNAL = 8
+    integer(c_int32_t), parameter, public :: HG_ERR_MPI = 9
+    integer(c_int32_t), parameter, public :: HG_ERR_REMOTE = 10
 
     !> hg_grid_def%interaction: |xi - xj| < ri + rj + margin, or < max(ri, rj) + margin.
     integer(c_int32_t), parameter, public :: HG_CONTACT = 0

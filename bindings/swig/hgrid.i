@@ -37,6 +37,8 @@ typedef struct hg_grid {
   }
 } hg_grid;
 %ignore hg_destroy;
+/* Texts come from this library alone. */
+%ignore hg_set_last_error;
 
 /* The same for a contact history, made by hg_history_create. */
 %nodefaultctor hg_history;

@@ -96,6 +96,8 @@
   X(HG_ERR_NOT_FOUND, 6) \
   X(HG_ERR_LIMIT, 7)     \
   X(HG_ERR_INTERNAL, 8)  \
+  X(HG_ERR_MPI, 9)       \
+  X(HG_ERR_REMOTE, 10)   \
   X(HG_CONTACT, 0)       \
   X(HG_MAX_RANGE, 1)     \
   X(HG_EXACT, 0)         \

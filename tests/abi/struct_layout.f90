@@ -198,6 +198,8 @@ contains
         call compare('HG_ERR_NOT_FOUND', int(HG_ERR_NOT_FOUND, c_int64_t))
         call compare('HG_ERR_LIMIT', int(HG_ERR_LIMIT, c_int64_t))
         call compare('HG_ERR_INTERNAL', int(HG_ERR_INTERNAL, c_int64_t))
+        call compare('HG_ERR_MPI', int(HG_ERR_MPI, c_int64_t))
+        call compare('HG_ERR_REMOTE', int(HG_ERR_REMOTE, c_int64_t))
         call compare('HG_CONTACT', int(HG_CONTACT, c_int64_t))
         call compare('HG_MAX_RANGE', int(HG_MAX_RANGE, c_int64_t))
         call compare('HG_EXACT', int(HG_EXACT, c_int64_t))

@@ -1,7 +1,7 @@
 /* SPDX-FileCopyrightText: The libhgrid developers
  * SPDX-License-Identifier: BSD-3-Clause */
 
-/* hg_last_error: the text of the last failure of the calling thread. */
+/* hg_last_error, hg_set_last_error: the text of the last failure of the calling thread. */
 #include "tests/support/fixture.h"
 
 #include <pthread.h>
@@ -50,9 +50,22 @@ TEST(each_thread_has_its_own) {
   assert_error_names("7");
 }
 
+TEST(set_by_libraries_on_top) {
+  char text[300];
+  memset(text, 'x', sizeof text - 1);
+  text[sizeof text - 1] = '\0';
+  hg_set_last_error("rank 3: no memory");
+  assert_string_equal("rank 3: no memory", hg_last_error());
+  hg_set_last_error(text);
+  assert_int_equal(255, strlen(hg_last_error()));
+  hg_set_last_error(NULL);
+  assert_string_equal("", hg_last_error());
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(empty_before_the_first_failure),
                                      cmocka_unit_test(kept_by_success_and_replaced_by_failure),
-                                     cmocka_unit_test(each_thread_has_its_own)};
+                                     cmocka_unit_test(each_thread_has_its_own),
+                                     cmocka_unit_test(set_by_libraries_on_top)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,11 +14,13 @@ TEST(every_status_has_its_name) {
   assert_string_equal("HG_ERR_NOT_FOUND", hg_status_string(HG_ERR_NOT_FOUND));
   assert_string_equal("HG_ERR_LIMIT", hg_status_string(HG_ERR_LIMIT));
   assert_string_equal("HG_ERR_INTERNAL", hg_status_string(HG_ERR_INTERNAL));
+  assert_string_equal("HG_ERR_MPI", hg_status_string(HG_ERR_MPI));
+  assert_string_equal("HG_ERR_REMOTE", hg_status_string(HG_ERR_REMOTE));
 }
 
 TEST(other_values_are_unknown) {
   assert_string_equal("unknown status", hg_status_string(-1));
-  assert_string_equal("unknown status", hg_status_string(HG_ERR_INTERNAL + 1));
+  assert_string_equal("unknown status", hg_status_string(HG_ERR_REMOTE + 1));
   assert_string_equal("unknown status", hg_status_string(INT32_MAX));
   assert_string_equal("unknown status", hg_status_string(INT32_MIN));
 }
@@ -33,6 +35,8 @@ TEST(values_never_change) {
   assert_int_equal(6, HG_ERR_NOT_FOUND);
   assert_int_equal(7, HG_ERR_LIMIT);
   assert_int_equal(8, HG_ERR_INTERNAL);
+  assert_int_equal(9, HG_ERR_MPI);
+  assert_int_equal(10, HG_ERR_REMOTE);
 }
 
 int main(void) {

@@ -28,6 +28,8 @@ LAYERS = [
     ["src"],
     ["bindings/c"],
     ["bindings/f77"],
+    ["mpi/include"],
+    ["mpi"],
     ["particles"],
     ["particles/text"],
     ["particles/files"],
@@ -48,9 +50,10 @@ LAYERS = [
     ["programs/hgrid", "programs/bench"],
     ["tests/support"],
     ["fuzz", "examples"],
+    ["tests/mpi"],
 ]
 # Clients stand on the public interface alone.
-PUBLIC_ONLY = ("particles", "oracle", "packing", "dem", "programs", "tests/support", "fuzz", "examples")
+PUBLIC_ONLY = ("mpi", "particles", "oracle", "packing", "dem", "programs", "tests/support", "fuzz", "examples")
 INCLUDE = re.compile(r'^\s*#\s*include\s+(["<])([^">]+)[">]', re.MULTILINE)
 RANK = {folder: rank for rank, entry in enumerate(LAYERS) for folder in entry}
 
