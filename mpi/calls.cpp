@@ -153,8 +153,9 @@ hg_status hg_mpi_create(MPI_Comm comm, const hg_grid_def *grid_def, const hg_mpi
       });
       hgrid::mpi::together_of(copy, fingerprint(checked_grid_def, checked_def), "what the definitions say", [] {});
       // The object frees the communicator from here on, unless it could not be made.
-      const hgrid::mpi::Outcome outcome =
-          outcome_of([&] { made.reset(new hg_mpi{{copy, checked_grid_def, checked_def}}); });
+      const hgrid::mpi::Outcome outcome = outcome_of([&] {
+        made.reset(new hg_mpi{{copy, checked_grid_def, checked_def}});
+      });
       hgrid::mpi::agree(copy, outcome);
     } catch (...) {
       MPI_Comm last = copy;
@@ -191,8 +192,7 @@ hg_status hg_mpi_balance(hg_mpi *mpi, const double *weights, size_t *new_count) 
   });
 }
 
-hg_status hg_mpi_owned(hg_mpi *mpi, size_t *count, const int64_t **gids, const double **centers,
-                       const double **radii) {
+hg_status hg_mpi_owned(hg_mpi *mpi, size_t *count, const int64_t **gids, const double **centers, const double **radii) {
   return look_at(mpi, [&](World &world) {
     if (count != nullptr) *count = world.owned_count();
     if (gids != nullptr) *gids = world.particles().gids.data();

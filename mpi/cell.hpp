@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The periodic cell as far as the choice of ghosts needs it: in doubles, with room for every rounding, as what is chosen
-// too much costs a little and what is missed is a fault. The core decides on pairs exactly.
+// The periodic cell as far as the choice of ghosts needs it: in doubles, with room for every rounding, as what is
+// chosen too much costs a little and what is missed is a fault. The core decides on pairs exactly.
 #pragma once
 
 #include <hgrid/types.h>

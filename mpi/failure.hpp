@@ -5,11 +5,11 @@
 
 #include <hgrid/base.h>
 
+#include <mpi.h>
+
 #include <cstdarg>
 #include <cstdio>
 #include <exception>
-
-#include <mpi.h>
 
 namespace hgrid::mpi {
 

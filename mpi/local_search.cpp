@@ -60,7 +60,8 @@ LocalSearch::Axes LocalSearch::axes_to_open(const Particles &particles) const {
       low = std::min(low, particles.center(k)[axis]);
       high = std::max(high, particles.center(k)[axis]);
     }
-    const double scale = std::fabs(def_.box_min[axis]) + std::fabs(def_.box_max[axis]) + std::fabs(low) + std::fabs(high);
+    const double scale =
+        std::fabs(def_.box_min[axis]) + std::fabs(def_.box_max[axis]) + std::fabs(low) + std::fabs(high);
     axes[axis] = high - low + reach + def_.skin + 0x1p-48 * (scale + reach) < def_.box_max[axis] - def_.box_min[axis];
   }
   return axes;

@@ -40,8 +40,8 @@ class Route {
   MPI_Comm comm_ = MPI_COMM_NULL;
   int rank_ = 0;
   size_t source_count_ = 0;
-  std::vector<int32_t> rows_;                      // to send, rank by rank
-  std::vector<size_t> send_begin_, receive_begin_; // [ranks + 1]
+  std::vector<int32_t> rows_;                       // to send, rank by rank
+  std::vector<size_t> send_begin_, receive_begin_;  // [ranks + 1]
   std::vector<MPI_Request> requests_;
   std::vector<char> buffer_;
   int64_t sent_byte_count_ = 0;

@@ -8,12 +8,7 @@
 namespace hgrid::mpi {
 
 World::World(MPI_Comm comm, const hg_grid_def &grid_def, const hg_mpi_def &def)
-    : comm_(comm),
-      grid_def_(grid_def),
-      def_(def),
-      rule_(grid_def),
-      search_(grid_def),
-      judge_(make_grid(grid_def)) {
+    : comm_(comm), grid_def_(grid_def), def_(def), rule_(grid_def), search_(grid_def), judge_(make_grid(grid_def)) {
   // The search has its own copy, for grids that it makes later.
   grid_def_.cell_sizes = nullptr;
   check_mpi(MPI_Comm_rank(comm_, &rank_), "MPI_Comm_rank");
@@ -34,7 +29,8 @@ void World::check_call() const {
 
 void World::check_usable() const {
   check_call();
-  if (!usable_) fail(HG_ERR_STATE, "there are no particles: call hg_mpi_set first, also after a call that failed midway");
+  if (!usable_)
+    fail(HG_ERR_STATE, "there are no particles: call hg_mpi_set first, also after a call that failed midway");
 }
 
 void World::check_numbers(size_t count, const double *centers, const double *radii) {
@@ -85,8 +81,8 @@ void World::check_cell(size_t count, const double *radii) {
     }
     const hg_status status = hg_set(judge_.get(), present, centers, largest_.data());
     if (status != HG_OK) {
-      fail(status, "the two largest particles of all ranks, of radii %g and %g: %.150s", largest_[0],
-           largest_[1], hg_last_error());
+      fail(status, "the two largest particles of all ranks, of radii %g and %g: %.150s", largest_[0], largest_[1],
+           hg_last_error());
     }
   });
 }

@@ -3,12 +3,12 @@
 // Owners by Zoltan's geometric partitioners.
 #include "mpi/world.hpp"
 
+#include <zoltan.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
-
-#include <zoltan.h>
 
 namespace hgrid::mpi {
 namespace {
@@ -75,7 +75,8 @@ struct Parts {
   Parts &operator=(const Parts &) = delete;
 };
 
-// `most`: the largest weight of all ranks. Zoltan has floats, so weights are told as parts of it; all 0 means all equal.
+// `most`: the largest weight of all ranks. Zoltan has floats, so weights are told as parts of it; all 0 means all
+// equal.
 Rows rows_of(int rank, const Cell &cell, const Particles &particles, const std::vector<double> &weights, double most) {
   const size_t count = weights.size(), d = particles.dimension;
   Rows rows{rank, d, {particles.centers.begin(), particles.centers.begin() + static_cast<ptrdiff_t>(count * d)}, {}};

@@ -63,9 +63,8 @@ TEST(set_by_libraries_on_top) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(empty_before_the_first_failure),
-                                     cmocka_unit_test(kept_by_success_and_replaced_by_failure),
-                                     cmocka_unit_test(each_thread_has_its_own),
-                                     cmocka_unit_test(set_by_libraries_on_top)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(empty_before_the_first_failure), cmocka_unit_test(kept_by_success_and_replaced_by_failure),
+      cmocka_unit_test(each_thread_has_its_own), cmocka_unit_test(set_by_libraries_on_top)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -75,9 +75,9 @@ void arguments(const Case &is) {
   is.all_fail(bad.set(world), HG_ERR_ARGUMENT, "a negative radius", "radii[0] is -1");
   is.all_fail(hg_mpi_move(world.get(), is.guilty() ? 1 : 2, good.centers.data(), nullptr, nullptr), HG_ERR_ARGUMENT,
               "a wrong count", "owns 2");
-  is.all_fail(hg_mpi_set(world.get(), 2, is.guilty() ? nullptr : good.gids.data(), good.centers.data(),
-                         good.radii.data()),
-              HG_ERR_NULL, "no gids", "gids is NULL");
+  is.all_fail(
+      hg_mpi_set(world.get(), 2, is.guilty() ? nullptr : good.gids.data(), good.centers.data(), good.radii.data()),
+      HG_ERR_NULL, "no gids", "gids is NULL");
   const int32_t groups[2] = {0, is.guilty() ? 32 : 1};
   is.all_fail(hg_mpi_set_groups(world.get(), 2, groups), HG_ERR_ARGUMENT, "a group", "groups[1] is 32");
   const int32_t bodies[2] = {0, is.guilty() ? -2 : 1};
@@ -185,7 +185,8 @@ void limits(const Case &is) {
   if (is.guilty()) own.centers[0] = 1e9;
   is.all_fail(own.set(world), HG_ERR_LIMIT, "far outside", "box");
   is.checks.status(Own(is.ranks).set(world), HG_OK, "set anew");
-  is.all_fail(hg_mpi_move(world.get(), 2, own.centers.data(), nullptr, nullptr), HG_ERR_LIMIT, "moved far outside", "box");
+  is.all_fail(hg_mpi_move(world.get(), 2, own.centers.data(), nullptr, nullptr), HG_ERR_LIMIT, "moved far outside",
+              "box");
   is.checks.that(count_pairs(world) == is.ranks.size(), "nothing has moved");
 }
 

@@ -33,9 +33,8 @@ bool step(Scene &scene, Rng &rng) {
       // Along one edge of the cell, as a code does that wraps.
       if (!wrap || scene.def.periodic[axis] == 0 || (x >= low && x < high)) continue;
       const double n = x < low ? 1 : -1;
-      const double edges[3][3] = {{high - low, 0, 0},
-                                  {scene.def.tilt[0], high - low, 0},
-                                  {scene.def.tilt[1], scene.def.tilt[2], high - low}};
+      const double edges[3][3] = {
+          {high - low, 0, 0}, {scene.def.tilt[0], high - low, 0}, {scene.def.tilt[1], scene.def.tilt[2], high - low}};
       for (size_t along = 0; along <= axis; along++) scene.centers[k * d + along] += n * edges[axis][along];
     }
     // The order of sizes changes. In a periodic cell none may grow, as it could get too short.
@@ -77,7 +76,8 @@ void check_rows(const Scene &scene, const World &world, Checks &checks) {
   need(hg_mpi_reverse_add(world.get(), 1, ones.data(), own.data()));
   double sum = 0;
   for (const double value : own) sum += value;
-  checks.that(sum_of(static_cast<int64_t>(sum)) == sum_of(static_cast<int64_t>(count)), "as many come back as there are");
+  checks.that(sum_of(static_cast<int64_t>(sum)) == sum_of(static_cast<int64_t>(count)),
+              "as many come back as there are");
 }
 
 void one_round(uint64_t seed, int ranks, Checks &checks, Sums &sums) {
@@ -125,7 +125,8 @@ int main(int argc, char **argv) {
     try {
       one_round(seed, ranks.size(), checks, sums);
     } catch (const std::exception &error) {
-      std::fprintf(stderr, "rank %d, seed %llu: %s\n", ranks.rank(), static_cast<unsigned long long>(seed), error.what());
+      std::fprintf(stderr, "rank %d, seed %llu: %s\n", ranks.rank(), static_cast<unsigned long long>(seed),
+                   error.what());
       MPI_Abort(MPI_COMM_WORLD, 1);
     }
     if (sums.wrong > wrong && ranks.is_first()) {
@@ -135,12 +136,13 @@ int main(int argc, char **argv) {
     checks.that(sums.wrong == wrong, "the pairs of all ranks are those of brute force");
   }
   if (ranks.is_first()) {
-    std::printf("%d ranks, %ld rounds, %lld checks of %lld pairs, %lld wrong; ghosts chosen %lld times, updated %lld, "
-                "balanced %lld, %lld ghosts, %lld axes opened\n",
-                ranks.size(), rounds, static_cast<long long>(sums.checks), static_cast<long long>(sums.pairs),
-                static_cast<long long>(sums.wrong), static_cast<long long>(sums.choices),
-                static_cast<long long>(sums.updates), static_cast<long long>(sums.balances),
-                static_cast<long long>(sums.ghosts), static_cast<long long>(sums.opened));
+    std::printf(
+        "%d ranks, %ld rounds, %lld checks of %lld pairs, %lld wrong; ghosts chosen %lld times, updated %lld, "
+        "balanced %lld, %lld ghosts, %lld axes opened\n",
+        ranks.size(), rounds, static_cast<long long>(sums.checks), static_cast<long long>(sums.pairs),
+        static_cast<long long>(sums.wrong), static_cast<long long>(sums.choices), static_cast<long long>(sums.updates),
+        static_cast<long long>(sums.balances), static_cast<long long>(sums.ghosts),
+        static_cast<long long>(sums.opened));
   }
   return checks.conclude();
 }

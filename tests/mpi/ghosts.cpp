@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// hgrid_mpi_ghosts COUNT RANKS...: how many ghosts the rule needs, beside a halo of one width, 2 r_max. With one rank of
-// MPI for each number of ranks given, by bisection done here; else on the ranks there are, by Zoltan. Ends with 1 if the
-// rule needs more than docs/evidence/mpi.md says.
+// hgrid_mpi_ghosts COUNT RANKS...: how many ghosts the rule needs, beside a halo of one width, 2 r_max. With one rank
+// of MPI for each number of ranks given, by bisection done here; else on the ranks there are, by Zoltan. Ends with 1 if
+// the rule needs more than docs/evidence/mpi.md says.
 #include "mpi/size_boxes.hpp"
 #include "tests/mpi/scene.hpp"
 #include "tests/support/size_laws.hpp"
@@ -14,9 +14,9 @@
 namespace {
 
 using namespace hgtest::mpi;
-using hgtest::Rng;
 using hgrid::mpi::ReachRule;
 using hgrid::mpi::SizeBox;
+using hgtest::Rng;
 
 struct System {
   const char *name;
@@ -80,9 +80,8 @@ void bisect(Scene &scene, std::vector<size_t> rows, int first, int ranks) {
   }
   const int left = ranks / 2;
   const auto cut = rows.begin() + static_cast<ptrdiff_t>(rows.size() * static_cast<size_t>(left) / ranks);
-  std::nth_element(rows.begin(), cut, rows.end(), [&](size_t p, size_t q) {
-    return scene.centers[3 * p + longest] < scene.centers[3 * q + longest];
-  });
+  std::nth_element(rows.begin(), cut, rows.end(),
+                   [&](size_t p, size_t q) { return scene.centers[3 * p + longest] < scene.centers[3 * q + longest]; });
   bisect(scene, {rows.begin(), cut}, first, left);
   bisect(scene, {cut, rows.end()}, first + left, ranks - left);
 }
@@ -146,7 +145,8 @@ bool simulate(System &system, int ranks) {
 
 // Ghosts, messages and the work of the search, on the ranks there are.
 bool measure(System &system, const Ranks &ranks) {
-  for (size_t k = 0; k < system.scene.count(); k++) system.scene.owners.push_back(static_cast<int32_t>(k % ranks.size()));
+  for (size_t k = 0; k < system.scene.count(); k++)
+    system.scene.owners.push_back(static_cast<int32_t>(k % ranks.size()));
   system.scene.def.thread_count = 1;
   const World world(system.scene.def);
   hand_out(system.scene, world);
@@ -191,10 +191,11 @@ int main(int argc, char **argv) {
   const size_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 125001;
   bool fits = true;
   if (ranks.is_first()) {
-    std::printf(ranks.size() == 1
-                    ? "| system | ranks | halo of 2 r_max | by size |\n|---|---|---|---|\n"
-                    : "| system | ranks | ghosts | pairs | neighbours | MB an update | pairs, largest over mean | before |\n"
-                      "|---|---|---|---|---|---|---|---|\n");
+    std::printf(
+        ranks.size() == 1
+            ? "| system | ranks | halo of 2 r_max | by size |\n|---|---|---|---|\n"
+            : "| system | ranks | ghosts | pairs | neighbours | MB an update | pairs, largest over mean | before |\n"
+              "|---|---|---|---|---|---|---|---|\n");
   }
   for (System &system : systems(count)) {
     if (ranks.size() > 1) fits = measure(system, ranks) && fits;

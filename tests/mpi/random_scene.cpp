@@ -94,7 +94,8 @@ int32_t owner_of(const Scene &scene, size_t row, int way, int ranks, Rng &rng) {
       return rng.chance(0.5) ? 0 : ranks / 2;
     default: {  // slabs
       const size_t axis = scene.dimension() - 1;
-      const double place = (scene.centers[row * scene.dimension() + axis] - scene.def.box_min[axis]) / edge(scene.def, axis);
+      const double place =
+          (scene.centers[row * scene.dimension() + axis] - scene.def.box_min[axis]) / edge(scene.def, axis);
       return static_cast<int32_t>(std::clamp(place * ranks, 0.0, ranks - 1.0));
     }
   }
@@ -125,7 +126,8 @@ Scene random_scene(Rng &rng, int ranks) {
   if (company && rng.chance(0.5)) scene.apart = {{0, 1}, {2, 2}};
   for (size_t k = 0; k < scene.count(); k++) {
     // Unique, of any sign, above 2^40.
-    scene.gids.push_back((static_cast<int64_t>(rng.next() >> 24) - (int64_t{1} << 39)) * 4096 + static_cast<int64_t>(k));
+    scene.gids.push_back((static_cast<int64_t>(rng.next() >> 24) - (int64_t{1} << 39)) * 4096 +
+                         static_cast<int64_t>(k));
     scene.owners.push_back(owner_of(scene, k, way, ranks, rng));
     scene.groups.push_back(company ? rng.integer(-1, 2) : 0);
     scene.bodies.push_back(company && rng.chance(0.5) ? rng.integer(0, 5) : -1);

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Takes every fenced block of one language out of a page, builds it against the installed copy and runs it. A block of
 # language "text" right behind it holds what the program prints.
+# PACKAGE in the environment: what pkg-config is asked for, where that is not the package of the language.
 # readme.sh PAGE LANGUAGE WORK_DIR PKGCONFIG_DIR COMPILER_OR_PYTHON [PYTHON_MODULE_DIR]
 set -eu
 page=$1 language=$2 work=$3 compiler=$5
@@ -34,10 +35,10 @@ awk -v language="$language" -v work="$work" '
 build_block() {
   # shellcheck disable=SC2046  # lists of words
   case $language in
-  c) "$compiler" -std=c99 -Wall -Wextra -Werror -x c "$1" $(pkg-config --cflags --libs hgrid) -o "$2" ;;
+  c) "$compiler" -std=c99 -Wall -Wextra -Werror -x c "$1" -x none $(pkg-config --cflags --libs "${PACKAGE:-hgrid}") -o "$2" ;;
   cpp) "$compiler" -std=c++17 -Wall -Wextra -Werror -x c++ "$1" -x none $(pkg-config --cflags --libs hgrid) -o "$2" ;;
   fortran77) "$compiler" -std=legacy -x f77 "$1" -x none $(pkg-config --libs hgrid-f77) -o "$2" ;;
-  fortran) "$compiler" -x f95 -ffree-form "$1" -x none $(pkg-config --cflags --libs hgrid-fortran) -o "$2" ;;
+  fortran) "$compiler" -x f95 -ffree-form "$1" -x none $(pkg-config --cflags --libs "${PACKAGE:-hgrid-fortran}") -o "$2" ;;
   python) printf '#!/bin/sh\nexec "%s" "%s"\n' "$compiler" "$1" >"$2" && chmod +x "$2" ;;
   *) echo "no way to run a block of language '$language'" && exit 1 ;;
   esac

@@ -49,8 +49,8 @@ LAYERS = [
     ["programs/accuracy/report"],
     ["programs/hgrid", "programs/bench"],
     ["tests/support"],
-    ["fuzz", "examples"],
     ["tests/mpi"],
+    ["fuzz", "examples"],
 ]
 # Clients stand on the public interface alone.
 PUBLIC_ONLY = ("mpi", "particles", "oracle", "packing", "dem", "programs", "tests/support", "fuzz", "examples")

@@ -84,8 +84,7 @@ HG_API hg_status hg_mpi_destroy(hg_mpi *mpi);
  * all ranks together, any int64; centers: [count][dimension]; radii: [count]. Any rank may own any particles, none, or
  * all. Errors: as hg_insert, a periodic cell judged by the two largest radii of all ranks; HG_ERR_ARGUMENT: a gid
  * stands twice (with def.verify). Local ids are index_base + row; ghosts go on counting. */
-HG_API hg_status hg_mpi_set(hg_mpi *mpi, size_t count, const int64_t *gids, const double *centers,
-                            const double *radii);
+HG_API hg_status hg_mpi_set(hg_mpi *mpi, size_t count, const int64_t *gids, const double *centers, const double *radii);
 
 /* Chooses new owners by Zoltan, so that all ranks have about the same weight, and sends particles to them; collective.
  * weights: [n], >= 0, finite; NULL on all ranks: 1 + 2 for each pair that the rank of the particle finds of it as the

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: The libhgrid developers
+# SPDX-License-Identifier: BSD-3-Clause
+# The library and its tests once more, compiled with another MPI, without Zoltan.
+# other_mpi.sh SOURCE_DIR BUILD_DIR WORK_DIR MPICXX MPIRUN "LIBRARIES..."
+set -euo pipefail
+source=$1 build=$2 work=$3 compiler=$4 mpirun=$5
+read -ra libraries <<<"$6"
+rm -rf "$work"
+mkdir -p "$work"
+flags=(-std=c++17 -O1 -ffp-contract=off -DMPICH_SKIP_MPICXX -DOMPI_SKIP_MPICXX
+  -I"$source" -I"$source/mpi/include" -I"$source/include" -I"$build/include")
+
+# compile FILE...
+compile() {
+  local file
+  for file in "$@"; do
+    "$compiler" "${flags[@]}" -c "$file" -o "$work/$(basename "$file").o"
+  done
+}
+mapfile -t layer < <(printf '%s\n' "$source"/mpi/*.cpp | grep -v zoltan)
+compile "${layer[@]}" "$source"/tests/mpi/{scene,random_scene}.cpp
+shared=("$work"/*.o)
+for program in fuzz calls errors; do
+  compile "$source/tests/mpi/$program.cpp"
+  "$compiler" "$work/$program.cpp.o" "${shared[@]}" "${libraries[@]}" -o "$work/$program"
+done
+timeout 60 "$mpirun" -n 4 "$work/fuzz" 40
+timeout 60 "$mpirun" -n 3 "$work/calls"
+timeout 60 "$mpirun" -n 3 "$work/errors"
