@@ -12,10 +12,10 @@ shift 6
 objects=("$@")
 rm -rf "$work"
 mkdir -p "$work"
-for program in fuzz calls; do
+for program in fuzz steps; do
   "${compiler[@]}" -c "$tests/$program.cpp" -o "$work/$program.o"
 done
-fuzz=$work/fuzz.o calls=$work/calls.o
+fuzz=$work/fuzz.o steps=$work/steps.o
 
 # mutant NAME FILE SED_SCRIPT PROGRAM_OBJECT MESSAGE RANKS ARGUMENT...: the program must fail and say the message.
 mutant() {
@@ -57,4 +57,4 @@ cuts='(chosen_centers_.size() == owned_ * particles_.dimension ? chosen_centers_
 mutant cuts world.cpp "s/boxes = make_size_boxes(rule_.cell(), owned_, particles_.centers/boxes = make_size_boxes(rule_.cell(), owned_, $cuts/" \
   "$fuzz" "$pairs" 3 200
 # Right, but with more ghosts than the rule needs.
-mutant no_smallest size_boxes.cpp '/if (others.smallest > /d' "$calls" 'the giant is the only ghost' 3
+mutant no_smallest size_boxes.cpp '/if (others.smallest > /d' "$steps" 'one giant is the only ghost' 3

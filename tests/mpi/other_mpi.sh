@@ -21,10 +21,10 @@ compile() {
 mapfile -t layer < <(printf '%s\n' "$source"/mpi/*.cpp | grep -v zoltan)
 compile "${layer[@]}" "$source"/tests/mpi/{scene,random_scene}.cpp
 shared=("$work"/*.o)
-for program in fuzz calls errors; do
+for program in fuzz steps errors; do
   compile "$source/tests/mpi/$program.cpp"
   "$compiler" "$work/$program.cpp.o" "${shared[@]}" "${libraries[@]}" -o "$work/$program"
 done
 timeout 60 "$mpirun" -n 4 "$work/fuzz" 40
-timeout 60 "$mpirun" -n 3 "$work/calls"
+timeout 60 "$mpirun" -n 3 "$work/steps"
 timeout 60 "$mpirun" -n 3 "$work/errors"
