@@ -16,6 +16,7 @@ using hgrid::mpi::together;
 using hgrid::mpi::World;
 
 struct hg_mpi {
+  hg_mpi(MPI_Comm comm, const hg_grid_def &grid_def, const hg_mpi_def &def) : world(comm, grid_def, def) {}
   World world;
 };
 
@@ -141,7 +142,7 @@ hg_status hg_mpi_create(MPI_Comm comm, const hg_grid_def *grid_def, const hg_mpi
   return guarded([&] {
     check_initialized();
     check_comm(comm);
-    const MPI_Comm copy = duplicate_of(comm);
+    MPI_Comm copy = duplicate_of(comm);
     hg_grid_def checked_grid_def = hg_default_grid_def();
     hg_mpi_def checked_def{};
     std::unique_ptr<hg_mpi> made;
@@ -153,13 +154,11 @@ hg_status hg_mpi_create(MPI_Comm comm, const hg_grid_def *grid_def, const hg_mpi
       });
       hgrid::mpi::together_of(copy, fingerprint(checked_grid_def, checked_def), "what the definitions say", [] {});
       // The object frees the communicator from here on, unless it could not be made.
-      const hgrid::mpi::Outcome outcome = outcome_of([&] {
-        made.reset(new hg_mpi{{copy, checked_grid_def, checked_def}});
-      });
+      const hgrid::mpi::Outcome outcome =
+          outcome_of([&] { made = std::make_unique<hg_mpi>(copy, checked_grid_def, checked_def); });
       hgrid::mpi::agree(copy, outcome);
     } catch (...) {
-      MPI_Comm last = copy;
-      if (made == nullptr) MPI_Comm_free(&last);
+      if (made == nullptr) MPI_Comm_free(&copy);
       throw;
     }
     *mpi = made.release();

@@ -41,7 +41,7 @@ double Cell::distance_moved(const double *from, const double *to) const {
     step[axis] = to[axis] - from[axis];
     scale += std::fabs(step[axis]);
   }
-  for (int axis = dimension_ - 1; axis >= 0; axis--) {
+  for (int axis = 2; axis >= 0; axis--) {
     if (periodic_[axis]) scale += shift(step, axis, -std::nearbyint(step[axis] / length(axis)));
     squares += step[axis] * step[axis];
   }
@@ -52,7 +52,8 @@ double Cell::distance_moved(const double *from, const double *to) const {
 bool Cell::may_reach(const Box &box, const double *place, double reach) const {
   double scale = reach + box.scale;
   double drift[3] = {0, 0, 0};  // how far edges of later axes may have led a place along this one
-  for (int axis = dimension_ - 1; axis >= 0; axis--) {
+  for (int axis = 2; axis >= 0; axis--) {
+    if (axis >= dimension_) continue;
     scale += std::fabs(place[axis]);
     if (!periodic_[axis]) continue;
     const double span = std::fabs(box.low[axis] - place[axis]) + (box.high[axis] - box.low[axis]) + reach + drift[axis];
@@ -66,14 +67,18 @@ bool Cell::may_reach(const Box &box, const double *place, double reach) const {
 // `rest`: what the squares of the gaps along this axis and those before it may sum up to, in squares of the reach.
 bool Cell::may_reach(const Box &box, const double *place, double reach, double rest, int axis) const {
   if (axis < 0) return true;
-  double first = 0, last = 0;
+  double first = 0;
+  int count = 1;
   if (periodic_[axis]) {
     first = std::ceil((box.low[axis] - reach - place[axis]) / length(axis) - kRounding);
-    last = std::floor((box.high[axis] + reach - place[axis]) / length(axis) + kRounding);
+    const double last = std::floor((box.high[axis] + reach - place[axis]) / length(axis) + kRounding);
     if (!(last - first <= kMostImages)) return true;
+    count = first <= last ? static_cast<int>(last - first) + 1 : 0;
   }
-  for (double n = first; n <= last; n++) {
-    double image[3] = {place[0], place[1], place[2]};
+  for (int k = 0; k < count; k++) {
+    const double n = first + k;
+    double image[3] = {0, 0, 0};
+    std::copy(place, place + dimension_, image);
     if (n != 0) (void)shift(image, axis, n);
     const double gap = std::max(box.low[axis] - image[axis], image[axis] - box.high[axis]);
     double left = rest;

@@ -13,6 +13,8 @@ namespace hgrid::mpi {
 namespace {
 
 constexpr int32_t kGroups = HG_MPI_MAX_GROUPS;
+// Where the table of group pairs has one.
+size_t place_of(int32_t a, int32_t b) { return static_cast<size_t>(a) * kGroups + static_cast<size_t>(b); }
 static_assert(2 * kGroups <= HG_MAX_GROUPS, "ghosts of a group are in another one, so that they do not meet");
 
 bool is_tilted(const hg_grid_def &def) { return def.tilt[0] != 0 || def.tilt[1] != 0 || def.tilt[2] != 0; }
@@ -77,7 +79,7 @@ void LocalSearch::open(const Axes &axes) {
   GridHandle grid = make_grid(def);
   for (int32_t a = 0; a < kGroups; a++) {
     for (int32_t b = 0; b < kGroups; b++) {
-      if (interacts_[static_cast<size_t>(a * kGroups + b)] == 0) {
+      if (interacts_[place_of(a, b)] == 0) {
         if (a <= b) check(hg_set_group_pair(grid.get(), a, b, 0));
         check(hg_set_group_pair(grid.get(), a, kGroups + b, 0));
       }
@@ -135,8 +137,8 @@ void LocalSearch::set_group_pair(int32_t group_a, int32_t group_b, bool interact
     check(hg_set_group_pair(grid_.get(), group_a, ghosts + group_b, interacts ? 1 : 0));
     check(hg_set_group_pair(grid_.get(), ghosts + group_a, group_b, interacts ? 1 : 0));
   }
-  interacts_[static_cast<size_t>(group_a * kGroups + group_b)] = interacts ? 1 : 0;
-  interacts_[static_cast<size_t>(group_b * kGroups + group_a)] = interacts ? 1 : 0;
+  interacts_[place_of(group_a, group_b)] = interacts ? 1 : 0;
+  interacts_[place_of(group_b, group_a)] = interacts ? 1 : 0;
 }
 
 bool LocalSearch::is_own(const hg_pair &pair) const {

@@ -127,7 +127,7 @@ void gids(const Case &is) {
   const World world(hg_default_grid_def(), MPI_COMM_WORLD, &def);
   Own own(is.ranks);
   need(own.set(world));
-  if (is.guilty()) own.gids[1] = 10 * ((is.culprit + 1) % is.ranks.size());
+  if (is.guilty()) own.gids[1] = int64_t{10} * ((is.culprit + 1) % is.ranks.size());
   const hg_status status = own.set(world);
   is.checks.that(status == HG_ERR_ARGUMENT || status == HG_ERR_REMOTE, "a gid that stands twice");
   is.checks.that(std::strstr(hg_last_error(), "stands twice") != nullptr, "the text says which");
@@ -220,11 +220,9 @@ void definitions(const Case &is) {
 
 int main(int argc, char **argv) {
   hg_mpi *early = nullptr, *late = nullptr;
-  Checks checks;
   const bool refused = hg_mpi_create(MPI_COMM_WORLD, nullptr, nullptr, &early) == HG_ERR_STATE;
-  int result = 0;
-  {
-    const Ranks ranks(&argc, &argv);
+  int result = on_ranks(argc, argv, [&](const Ranks &ranks) {
+    Checks checks;
     checks.that(refused, "create before MPI_Init is refused");
     for (int culprit = 0; culprit < ranks.size(); culprit += 2) {
       const Case is{ranks, checks, culprit};
@@ -236,8 +234,8 @@ int main(int argc, char **argv) {
       definitions(is);
     }
     checks.status(hg_mpi_create(MPI_COMM_WORLD, nullptr, nullptr, &late), HG_OK, "create");
-    result = checks.conclude();
-  }
+    return checks.conclude();
+  });
   // After MPI_Finalize only memory is left to free.
   if (hg_mpi_destroy(late) != HG_OK) result = 1;
   if (hg_mpi_create(MPI_COMM_WORLD, nullptr, nullptr, &late) != HG_ERR_STATE) result = 1;

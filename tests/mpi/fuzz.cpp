@@ -114,35 +114,30 @@ void one_round(uint64_t seed, int ranks, Checks &checks, Sums &sums) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  const Ranks ranks(&argc, &argv);
-  const long rounds = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 20;
-  const uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
-  Checks checks;
-  Sums sums;
-  for (long round = 0; round < rounds; round++) {
-    const int64_t wrong = sums.wrong;
-    const uint64_t seed = first + static_cast<uint64_t>(round);
-    try {
+  return on_ranks(argc, argv, [&](const Ranks &ranks) {
+    const long rounds = argc > 1 ? std::strtol(argv[1], nullptr, 10) : 20;
+    const uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+    Checks checks;
+    Sums sums;
+    for (long round = 0; round < rounds; round++) {
+      const int64_t wrong = sums.wrong;
+      const uint64_t seed = first + static_cast<uint64_t>(round);
       one_round(seed, ranks.size(), checks, sums);
-    } catch (const std::exception &error) {
-      std::fprintf(stderr, "rank %d, seed %llu: %s\n", ranks.rank(), static_cast<unsigned long long>(seed),
-                   error.what());
-      MPI_Abort(MPI_COMM_WORLD, 1);
+      if (sums.wrong > wrong && ranks.is_first()) {
+        std::fprintf(stderr, "seed %llu: %lld pairs are wrong\n", static_cast<unsigned long long>(seed),
+                     static_cast<long long>(sums.wrong - wrong));
+      }
+      checks.that(sums.wrong == wrong, "the pairs of all ranks are those of brute force");
     }
-    if (sums.wrong > wrong && ranks.is_first()) {
-      std::fprintf(stderr, "seed %llu: %lld pairs are wrong\n", static_cast<unsigned long long>(seed),
-                   static_cast<long long>(sums.wrong - wrong));
+    if (ranks.is_first()) {
+      std::printf(
+          "%d ranks, %ld rounds, %lld checks of %lld pairs, %lld wrong; ghosts chosen %lld times, updated %lld, "
+          "balanced %lld, %lld ghosts, %lld axes opened\n",
+          ranks.size(), rounds, static_cast<long long>(sums.checks), static_cast<long long>(sums.pairs),
+          static_cast<long long>(sums.wrong), static_cast<long long>(sums.choices),
+          static_cast<long long>(sums.updates), static_cast<long long>(sums.balances),
+          static_cast<long long>(sums.ghosts), static_cast<long long>(sums.opened));
     }
-    checks.that(sums.wrong == wrong, "the pairs of all ranks are those of brute force");
-  }
-  if (ranks.is_first()) {
-    std::printf(
-        "%d ranks, %ld rounds, %lld checks of %lld pairs, %lld wrong; ghosts chosen %lld times, updated %lld, "
-        "balanced %lld, %lld ghosts, %lld axes opened\n",
-        ranks.size(), rounds, static_cast<long long>(sums.checks), static_cast<long long>(sums.pairs),
-        static_cast<long long>(sums.wrong), static_cast<long long>(sums.choices), static_cast<long long>(sums.updates),
-        static_cast<long long>(sums.balances), static_cast<long long>(sums.ghosts),
-        static_cast<long long>(sums.opened));
-  }
-  return checks.conclude();
+    return checks.conclude();
+  });
 }

@@ -33,6 +33,7 @@ Scene make_scene(const std::vector<double> &radii, bool clouds) {
   for (const double r : radii) volume += 4.0 / 3 * 3.14159265358979 * r * r * r;
   const double length = std::cbrt(volume / 0.62);
   std::vector<double> middles;
+  middles.reserve(40 * 3);
   for (int k = 0; k < 40 * 3; k++) middles.push_back(rng.uniform(0.0, 10.0 * length));
   for (const double r : radii) {
     std::vector<double> center;
@@ -187,23 +188,24 @@ bool measure(System &system, const Ranks &ranks) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  const Ranks ranks(&argc, &argv);
-  const size_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 125001;
-  bool fits = true;
-  if (ranks.is_first()) {
-    std::printf(
-        ranks.size() == 1
-            ? "| system | ranks | halo of 2 r_max | by size |\n|---|---|---|---|\n"
-            : "| system | ranks | ghosts | pairs | neighbours | MB an update | pairs, largest over mean | before |\n"
-              "|---|---|---|---|---|---|---|---|\n");
-  }
-  for (System &system : systems(count)) {
-    if (ranks.size() > 1) fits = measure(system, ranks) && fits;
-    for (int k = 2; k < argc && ranks.size() == 1; k++) {
-      fits = simulate(system, static_cast<int>(std::strtol(argv[k], nullptr, 10))) && fits;
+  return on_ranks(argc, argv, [&](const Ranks &ranks) {
+    const size_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 125001;
+    bool fits = true;
+    if (ranks.is_first()) {
+      std::printf(
+          ranks.size() == 1
+              ? "| system | ranks | halo of 2 r_max | by size |\n|---|---|---|---|\n"
+              : "| system | ranks | ghosts | pairs | neighbours | MB an update | pairs, largest over mean | before |\n"
+                "|---|---|---|---|---|---|---|---|\n");
     }
-  }
-  Checks checks;
-  checks.that(fits, "as few ghosts as stated");
-  return checks.conclude();
+    for (System &system : systems(count)) {
+      if (ranks.size() > 1) fits = measure(system, ranks) && fits;
+      for (int k = 2; k < argc && ranks.size() == 1; k++) {
+        fits = simulate(system, static_cast<int>(std::strtol(argv[k], nullptr, 10))) && fits;
+      }
+    }
+    Checks checks;
+    checks.that(fits, "as few ghosts as stated");
+    return checks.conclude();
+  });
 }

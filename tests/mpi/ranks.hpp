@@ -64,6 +64,19 @@ inline void need(hg_status status) {
   if (status != HG_OK) throw std::runtime_error(std::string(hg_status_string(status)) + ": " + hg_last_error());
 }
 
+// The exit status of `body`, which gets the ranks. What it throws ends all ranks.
+template <class Body>
+int on_ranks(int argc, char **argv, Body &&body) noexcept {
+  const Ranks ranks(&argc, &argv);
+  try {
+    return body(ranks);
+  } catch (const std::exception &error) {
+    std::fprintf(stderr, "rank %d: %s\n", ranks.rank(), error.what());
+    MPI_Abort(MPI_COMM_WORLD, 1);
+  }
+  return 1;
+}
+
 class World {
  public:
   explicit World(const hg_grid_def &grid_def, MPI_Comm comm = MPI_COMM_WORLD, const hg_mpi_def *def = nullptr) {

@@ -33,6 +33,7 @@ std::vector<size_t> Scene::rows_of(const std::vector<int64_t> &some) const {
   std::unordered_map<int64_t, size_t> row_of;
   for (size_t k = 0; k < gids.size(); k++) row_of.emplace(gids[k], k);
   std::vector<size_t> rows;
+  rows.reserve(some.size());
   for (const int64_t gid : some) rows.push_back(row_of.at(gid));
   return rows;
 }

@@ -267,15 +267,16 @@ void many_choices(const Ranks &ranks, Checks &checks) {
 }  // namespace
 
 int main(int argc, char **argv) {
-  const Ranks ranks(&argc, &argv);
-  Checks checks;
-  small_ones_stay(ranks, checks);
-  ghosts_change_seldom(ranks, checks);
-  forces_return(ranks, checks);
-  springs_survive(ranks, checks);
-  history_by_gids(ranks, checks);
-  visits(ranks, checks);
-  parts_of_a_communicator(ranks, checks);
-  many_choices(ranks, checks);
-  return checks.conclude();
+  return on_ranks(argc, argv, [](const Ranks &ranks) {
+    Checks checks;
+    small_ones_stay(ranks, checks);
+    ghosts_change_seldom(ranks, checks);
+    forces_return(ranks, checks);
+    springs_survive(ranks, checks);
+    history_by_gids(ranks, checks);
+    visits(ranks, checks);
+    parts_of_a_communicator(ranks, checks);
+    many_choices(ranks, checks);
+    return checks.conclude();
+  });
 }
