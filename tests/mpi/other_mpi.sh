@@ -9,7 +9,7 @@ read -ra libraries <<<"$6"
 rm -rf "$work"
 mkdir -p "$work"
 flags=(-std=c++17 -O1 -ffp-contract=off -DMPICH_SKIP_MPICXX -DOMPI_SKIP_MPICXX
-  -fsanitize=address,undefined -fno-sanitize-recover=all
+  "-fsanitize=address,undefined" -fno-sanitize-recover=all
   -I"$source" -I"$source/mpi/include" -I"$source/include" -I"$build/include")
 
 # compile FILE...

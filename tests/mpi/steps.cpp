@@ -5,12 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 
 namespace {
 
 using namespace hgtest::mpi;
 using hgtest::Rng;
+
+// As Fortran knows them (use_f08.f90).
+static_assert(sizeof(hg_mpi_def) == 24 && offsetof(hg_mpi_def, imbalance) == 16);
+static_assert(sizeof(hg_mpi_stats) == 80 && offsetof(hg_mpi_stats, imbalance) == 72);
 
 // Spheres of ratio 10 in a periodic cube, dealt out in slabs or at random.
 Scene crowd(const Ranks &ranks, size_t count, bool slabs) {

@@ -3,6 +3,7 @@
 
 !> The Fortran module with the communicator of mpi_f08: a ring of spheres, dealt out in turn.
 program use_f08
+    use, intrinsic :: iso_c_binding, only: c_sizeof
     use, intrinsic :: iso_fortran_env, only: error_unit
     use mpi_f08
     use hgrid
@@ -108,6 +109,7 @@ contains
         call check(err%code /= HG_OK, 'rows of another number are refused on all ranks')
         call dist%get_stats(stats)
         call check(stats%owned_count == size(gids_now), 'counters')
+        call check(c_sizeof(stats) == 80, 'the size that C knows')
         call dist%destroy()
     end subroutine ring
 
