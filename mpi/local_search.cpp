@@ -36,7 +36,8 @@ struct LocalSearch::Visit {
 };
 
 LocalSearch::LocalSearch(const hg_grid_def &def) : def_(def), interacts_(size_t{kGroups} * kGroups, 1) {
-  if (def.cell_sizes != nullptr && def.level_count > 0) {
+  // The caller's array need not outlive the call; other rules do not read it.
+  if (def.level_rule == HG_LEVELS_USER) {
     cell_sizes_.assign(def.cell_sizes, def.cell_sizes + def.level_count);
     def_.cell_sizes = cell_sizes_.data();
   }
