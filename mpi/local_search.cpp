@@ -45,8 +45,8 @@ LocalSearch::LocalSearch(const hg_grid_def &def) : def_(def), interacts_(size_t{
 }
 
 // A periodic axis whose particles all lie so close together that no pair reaches across the face is searched as an open
-// one, which is exact and cheaper. The core sees rounded edges of tilted cells, and HG_DOUBLE a rounded distance, so
-// these keep their axes.
+// one, which is exact and cheaper. Edges of a tilted cell also lead along other axes, and other accuracies round
+// differently without a shift: these keep their axes.
 LocalSearch::Axes LocalSearch::axes_to_open(const Particles &particles) const {
   Axes axes{false, false, false};
   if (def_.accuracy != HG_EXACT || is_tilted(def_) || particles.count() == 0) return axes;
