@@ -33,7 +33,7 @@ Scene make_scene(const std::vector<double> &radii, bool clouds) {
   for (const double r : radii) volume += 4.0 / 3 * 3.14159265358979 * r * r * r;
   const double length = std::cbrt(volume / 0.62);
   std::vector<double> middles;
-  middles.reserve(40 * 3);
+  middles.reserve(120);
   for (int k = 0; k < 40 * 3; k++) middles.push_back(rng.uniform(0.0, 10.0 * length));
   for (const double r : radii) {
     std::vector<double> center;
