@@ -7,6 +7,7 @@
 #include "dem/effects/table.hpp"
 
 #include <array>
+#include <cstdint>
 
 namespace dem {
 
@@ -19,11 +20,34 @@ struct Contact : NormalContact<Real> {
   Spin<D, Real> spin;     // of a relative to b (rolling)
 };
 
-// What contacts remember, a row each, and the time that it advances.
+// What contacts remember, a row for each pair that may touch, and the time that it advances.
 template <int D, class Real>
 struct History {
   std::array<Vec<D, Real> *, kHistoryCount> rows;
+  uint32_t *met;  // the pass over all contacts in which each pair last touched
+  uint32_t pass;  // the present one
   Real step;
+
+  // Pair p touches: what it remembers is of the pass before, or nothing.
+  template <EffectSet E>
+  void meet(size_t p) const {
+    if (met[p] + 1 != pass) {
+      for (const EffectRow &row : kEffects) {
+        if (row.history != nullptr && has(E, row.effect)) rows[history_of(row.effect)][p].setZero();
+      }
+    }
+    met[p] = pass;
+  }
+
+  // That of the pairs from p on.
+  History from(size_t p) const {
+    History result = *this;
+    result.met += p;
+    for (Vec<D, Real> *&row : result.rows) {
+      if (row != nullptr) row += p;
+    }
+    return result;
+  }
 };
 
 // On a; b gets the opposite force, `moment` times its own arm, and the opposite rolling torque.
@@ -72,6 +96,7 @@ template <EffectSet E, int D, class Real>
 inline ContactForce<D, Real> contact_force(const ContactLaw<Real> &law, Contact<D, Real> &contact,
                                            const History<D, Real> &history, size_t p) {
   ContactForce<D, Real> result;
+  if constexpr (has(E, effects_with_history())) history.template meet<E>(p);
   if constexpr (has(E, kDissipation)) contact.closing_speed = contact.velocity.dot(contact.normal);
   const NormalForce<Real> normal = normal_force<E, Real>(law, contact);
   result.force = -normal.value * contact.normal;

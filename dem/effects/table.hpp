@@ -82,7 +82,7 @@ constexpr EffectRow kEffects[] = {
     {kModulus, "modulus", nullptr, kInContacts | kInFloat, nullptr, 0, kHertz, "it is a law of linear contacts"},
     {kShear, "shear", "Lees-Edwards shear along x with the gradient along y, both periodic", kInImages | kStateful,
      nullptr, kPeriodic, 0, "it moves the images", fault_of_shear},
-    {kWalls, "walls", nullptr, kInMotion | kInFloat},
+    {kWalls, "walls", nullptr, kInFloat},
 };
 
 // In place of an effect: the linear contacts of one stiffness of a scene without other ones.

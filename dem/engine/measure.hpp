@@ -14,7 +14,7 @@ namespace dem {
 // Contacts of one kind and what they remember, by history_of(effect) and contact; empty without the effect.
 template <int D>
 struct ContactState {
-  PairView list;
+  std::vector<hg_pair> list;
   std::array<std::vector<Vec<D, double>>, kHistoryCount> history;
 };
 

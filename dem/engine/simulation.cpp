@@ -9,8 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 namespace dem {
@@ -21,6 +22,20 @@ Setup without_particles(const Setup &setup) {
   static_cast<ParticleArrays &>(result) = {};
   return result;
 }
+
+// The rounding of a distance, many times over.
+template <class Real>
+double slack_of(const Setup &setup) {
+  double longest = 2 * contact_range(setup);
+  for (const double radius : setup.radii) longest = std::max(longest, 4 * radius);
+  for (int axis = 0; axis < setup.dimension; axis++) {
+    if (setup.periodic[axis]) longest += setup.box_max[axis] - setup.box_min[axis];
+  }
+  return 32 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * longest;
+}
+
+// Ways can be told from places unless particles are put into the box or grow.
+bool goes_straight(const Setup &setup) { return !has(setup.effects, kShear | kGrowth); }
 
 }  // namespace
 
@@ -33,23 +48,24 @@ Simulation<D, Real>::Simulation(const Setup &setup, std::vector<uint32_t> places
       body_force_(make_body_force<D, Real>(setup)),
       pair_law_(make_law<Real>(setup, Partner::kParticle)),
       wall_law_(make_law<Real>(setup, Partner::kWall)),
+      batch_filler_(find_batch_filler<D, Real>(setup.effects)),
       pair_kernel_(find_pair_kernel<D, Real>(setup.effects)),
       wall_kernel_(find_wall_kernel<D, Real>(setup.effects)),
       motion_kernel_(find_motion_kernel<D, Real>(setup.effects)),
-      search_(setup),
-      walls_of_part_(static_cast<size_t>(threads_)),
+      slack_(slack_of<Real>(setup)),
+      search_(setup, slack_),
+      room_(search_.skin() / 2, goes_straight(setup)),
       pair_history_(setup.effects),
       wall_history_(setup.effects),
       fastest_allowed_(dem::fastest_allowed(setup)) {
   load_bodies(setup);
-  list_wall_contacts();
 }
 
 // Where contacts get shorter with speed, too fast particles stop the run: what followed would be wrong in silence.
 template <int D, class Real>
 void Simulation<D, Real>::require_speed() const {
-  for (const Vec<D, Real> &velocity : bodies_.velocity) {
-    const double approach = 2 * static_cast<double>(velocity.norm());
+  for (size_t i = 0; i < bodies_.count(); i++) {
+    const double approach = 2 * static_cast<double>(bodies_.velocity(i).norm());
     if (approach <= fastest_allowed_) continue;
     throw Error("at step " + std::to_string(steps_) + " particles approach with " + text(approach) +
                 ", and the time step " + text(setup_.time_step) + " is short enough for " + text(fastest_allowed_) +
@@ -62,27 +78,24 @@ void Simulation<D, Real>::load_bodies(const Setup &setup) {
   bodies_.resize(setup.count(), setup.effects);
   const auto lead = static_cast<Real>(setup.scheme.shared_drift * setup.time_step);
   for (size_t i = 0; i < setup.count(); i++) {
-    bodies_.velocity[i] = vector_at<Vec<D, double>>(setup.velocities, i).template cast<Real>();
-    bodies_.position[i] = vector_at<Vec<D, double>>(setup.centers, i).template cast<Real>();
-    bodies_.position[i] += lead * bodies_.velocity[i];
-    bodies_.radius[i] = static_cast<Real>(setup.radii[i]);
-    bodies_.inverse_mass[i] = static_cast<Real>(1 / setup.masses[i]);
+    bodies_.velocity(i) = vector_at<Vec<D, double>>(setup.velocities, i).template cast<Real>();
+    bodies_.position(i) = vector_at<Vec<D, double>>(setup.centers, i).template cast<Real>();
+    bodies_.position(i) += lead * bodies_.velocity(i);
+    bodies_.radius(i) = static_cast<Real>(setup.radii[i]);
+    bodies_.inverse_mass(i) = static_cast<Real>(1 / setup.masses[i]);
     if (bodies_.spin.empty() || setup.spins.empty()) continue;
     bodies_.spin[i] = vector_at<Spin<D, double>>(setup.spins, i).template cast<Real>();
   }
 }
 
+// Who could reach a wall after moving and growing so far.
 template <int D, class Real>
-Real Simulation<D, Real>::wall_range() const {
-  return static_cast<Real>(contact_range(setup_));
-}
-
-template <int D, class Real>
-void Simulation<D, Real>::list_wall_contacts() {
-  wall_contacts_.clear();
-  const WallReach<D, Real> reach(boundary_, wall_range());
+void Simulation<D, Real>::list_walls(double within) {
+  walls_.clear();
+  if (!has(setup_.effects, kWalls)) return;
+  const WallReach<D, Real> reach(boundary_, static_cast<Real>(contact_range(setup_) + within));
   for (size_t i = 0; i < bodies_.count(); i++) {
-    reach.list(bodies_.position[i], bodies_.radius[i], i, wall_contacts_);
+    if (reach.any(bodies_.position(i), bodies_.radius(i))) reach.list(bodies_.position(i), bodies_.radius(i), i, walls_);
   }
 }
 
@@ -115,103 +128,95 @@ double Simulation<D, Real>::image_offset() const {
 }
 
 template <int D, class Real>
-const double *Simulation<D, Real>::centers() {
-  if constexpr (std::is_same_v<Real, double>) {
-    return bodies_.position.empty() ? nullptr : bodies_.position.front().data();
-  } else {
-    staged_centers_.resize(D * bodies_.count());
-    const Real *numbers = bodies_.position.empty() ? nullptr : bodies_.position.front().data();
-    std::copy(numbers, numbers + staged_centers_.size(), staged_centers_.begin());
-    return staged_centers_.data();
-  }
-}
-
-// Null if the library has them already.
-template <int D, class Real>
-const double *Simulation<D, Real>::radii() {
-  if (!radii_new_) return nullptr;
-  radii_new_ = false;
-  if constexpr (std::is_same_v<Real, double>) {
-    return bodies_.radius.data();
-  } else {
-    staged_radii_.assign(bodies_.radius.begin(), bodies_.radius.end());
-    return staged_radii_.data();
-  }
-}
-
-template <int D, class Real>
 void Simulation<D, Real>::find_pairs() {
-  if (pairs_known_) return;
   boundary_.offset = static_cast<Real>(image_offset());
-  pairs_ = search_.find(centers(), radii(), image_offset());
-  pair_history_.follow(pairs_);
-  wall_history_.follow(walls());
-  pairs_known_ = true;
+  if (room_.holds(bodies_, threads_)) return;
+  pair_history_.pack(pairs_);
+  wall_history_.pack(walls());
+  constexpr int32_t kType = sizeof(Real) == sizeof(double) ? HG_REAL64 : HG_REAL32;
+  const auto column = [&](size_t k) { return hg_array{&bodies_.places.data()->numbers[k], sizeof(Row<Real>), kType, 0}; };
+  const hg_array centers[3] = {column(0), column(1), column(2)}, radius = column(3);
+  pairs_ = search_.find(centers, radii_new_ ? &radius : nullptr, image_offset());
+  radii_new_ = false;
+  list_walls(search_.skin() / 2 + slack_);
+  share_out(bodies_.count(), threads_, pairs_, walls(), shares_);
+  pair_history_.unpack(pairs_, shares_.places);
+  wall_history_.unpack(walls(), {});
+  room_.renew(bodies_);
 }
 
+// Walls first, then pairs in ascending order: a particle's sum is the same for any number of threads.
 template <int D, class Real>
 void Simulation<D, Real>::find_forces() {
   if (forces_known_) return;
   find_pairs();
-  wall_kernel_(task_of(wall_law_, walls(), wall_history_), 0, walls().size());
-  find_pair_forces();
+  ContactTask<D, Real> of_walls = task_of(wall_law_, wall_history_), of_pairs = task_of(pair_law_, pair_history_);
+  of_walls.pairs = walls_.data();
+  of_pairs.pairs = pairs_.data();
+  ContactTask<D, Real> of_incoming = of_pairs;
+  of_incoming.pairs = shares_.incoming.data();
+  of_incoming.history = of_pairs.history.from(pairs_.size());
+  std::vector<size_t> found(shares_.of_thread.size());
+  in_parts(threads_, shares_.of_thread.size(), [&](int, size_t first, size_t last) {
+    for (size_t part = first; part < last; part++) {
+      const Share &share = shares_.of_thread[part];
+      wall_kernel_(of_walls, {share.first_wall, share.last_wall, share.first_body, share.last_body});
+      pair_kernel_(of_incoming, {share.first_incoming, share.last_incoming, share.first_body, share.last_body});
+      found[part] = pair_kernel_(of_pairs, {share.first_pair, share.last_pair, share.first_body, share.last_body});
+    }
+  });
+  pair_count_ = std::accumulate(found.begin(), found.end(), size_t{0});
   forces_known_ = true;
 }
 
 template <int D, class Real>
-ContactTask<D, Real> Simulation<D, Real>::task_of(const ContactLaw<Real> &law, PairView contacts,
-                                                  ContactHistory<D, Real> &history) {
-  return {&bodies_, &boundary_, &law, contacts.data(), {history.rows(), static_cast<Real>(last_drift_)}};
-}
-
-// On several threads the pairs' forces are computed first and then added up by runs of particles: each particle's sum
-// goes through its pairs in the order of the list, as on one thread, and so is the same to the last bit.
-template <int D, class Real>
-void Simulation<D, Real>::find_pair_forces() {
-  ContactTask<D, Real> task = task_of(pair_law_, pairs_, pair_history_);
-  if (threads_ == 1) return pair_kernel_(task, 0, pairs_.size());
-  pair_forces_.resize(pairs_.size());
-  task.pairs = pair_forces_.data();
-  in_parts(threads_, pairs_.size(), [&](int, size_t first, size_t last) { pair_kernel_(task, first, last); });
-  in_parts(threads_, bodies_.count(), [&](int, size_t first, size_t last) {
-    add_pair_forces(bodies_, pairs_.data(), pairs_.size(), pair_forces_.data(), first, last);
-  });
+ContactTask<D, Real> Simulation<D, Real>::task_of(const ContactLaw<Real> &law, ContactHistory<D, Real> &history) {
+  return {&bodies_,
+          &boundary_,
+          &law,
+          nullptr,
+          history.next_pass(static_cast<Real>(last_drift_)),
+          static_cast<Real>(contact_range(setup_)),
+          batch_filler_};
 }
 
 template <int D, class Real>
 void Simulation<D, Real>::advance(const Stage &stage) {
   const double kick = stage.kick * setup_.time_step;
   last_drift_ = stage.drift * setup_.time_step;
-  const MotionTask<D, Real> task{
-      &bodies_, &boundary_, body_force_, static_cast<Real>(kick), static_cast<Real>(last_drift_), wall_range()};
-  for (std::vector<hg_pair> &part : walls_of_part_) part.clear();
+  const MotionTask<D, Real> task{&bodies_, body_force_, static_cast<Real>(kick), static_cast<Real>(last_drift_)};
+  std::vector<double> speeds(static_cast<size_t>(threads_));
   in_parts(threads_, bodies_.count(), [&](int part, size_t first, size_t last) {
-    motion_kernel_(task, first, last, walls_of_part_[static_cast<size_t>(part)]);
+    speeds[static_cast<size_t>(part)] = static_cast<double>(motion_kernel_(task, first, last));
   });
-  wall_contacts_.swap(walls_of_part_.front());
-  for (size_t part = 1; part < walls_of_part_.size(); part++) {
-    wall_contacts_.insert(wall_contacts_.end(), walls_of_part_[part].begin(), walls_of_part_[part].end());
-  }
-  if (has(setup_.effects, kGrowth)) grow();
-  forces_known_ = pairs_known_ = false;
+  double fastest = 0;
+  for (const double speed : speeds) fastest = speed <= fastest ? fastest : speed;
+  double way = std::sqrt(fastest) * std::abs(last_drift_);
+  // Images slide by as much again, which the two particles of a pair share.
+  if (has(setup_.effects, kShear)) way += std::abs(static_cast<double>(boundary_.jump) * last_drift_) / 2;
+  if (has(setup_.effects, kGrowth)) way += grow();
+  room_.spend(way);
+  forces_known_ = false;
 }
 
-// Radii follow R (1 + rate t) up to the end of growth, at constant density.
+// Radii follow R (1 + rate t) up to the end of growth, at constant density. Returns by how much the largest has grown.
 template <int D, class Real>
-void Simulation<D, Real>::grow() {
+double Simulation<D, Real>::grow() {
   const auto scale = [this](uint64_t step) {
     const double time = std::min(static_cast<double>(step) * setup_.time_step, setup_.growth_end);
     return 1 + setup_.growth_rate * time;
   };
   const double factor = scale(steps_ + 1) / scale(steps_);
-  if (factor == 1) return;
+  if (factor == 1) return 0;
   const auto radius_factor = static_cast<Real>(factor), mass_factor = static_cast<Real>(std::pow(factor, -D));
+  Real largest = 0;
   for (size_t i = 0; i < bodies_.count(); i++) {
-    bodies_.radius[i] *= radius_factor;
-    bodies_.inverse_mass[i] *= mass_factor;
+    bodies_.radius(i) *= radius_factor;
+    bodies_.inverse_mass(i) *= mass_factor;
+    largest = std::max(largest, bodies_.radius(i));
   }
   radii_new_ = true;
-  list_wall_contacts();
+  return static_cast<double>(largest) * (1 - 1 / factor);
 }
 
 // A particle that leaves through the upper face comes in through the lower one where its image is, and takes the
@@ -220,12 +225,12 @@ template <int D, class Real>
 void Simulation<D, Real>::cross_sheared_faces() {
   const auto offset = static_cast<Real>(image_offset());
   for (size_t i = 0; i < bodies_.count(); i++) {
-    Vec<D, Real> &x = bodies_.position[i];
+    auto x = bodies_.position(i);
     const Real crossed = std::floor((x[1] - boundary_.low[1]) * boundary_.inverse_period[1]);
     if (crossed != 0) {
       x[1] -= crossed * boundary_.period[1];
       x[0] -= crossed * offset;
-      bodies_.velocity[i][0] -= crossed * boundary_.jump;
+      bodies_.velocity(i)[0] -= crossed * boundary_.jump;
     }
     x[0] -= boundary_.period[0] * std::floor((x[0] - boundary_.low[0]) * boundary_.inverse_period[0]);
   }
@@ -233,13 +238,8 @@ void Simulation<D, Real>::cross_sheared_faces() {
 
 template <int D, class Real>
 size_t Simulation<D, Real>::state_bytes() const {
-  size_t bytes =
-      sizeof places_.front() * places_.size() + bodies_.bytes() + pair_history_.bytes() + wall_history_.bytes();
-  bytes += sizeof(PairForce<D, Real>) * pair_forces_.capacity();
-  bytes += sizeof(double) * (staged_centers_.capacity() + staged_radii_.capacity());
-  bytes += sizeof(hg_pair) * wall_contacts_.capacity();
-  for (const std::vector<hg_pair> &part : walls_of_part_) bytes += sizeof(hg_pair) * part.capacity();
-  return bytes;
+  return sizeof places_.front() * places_.size() + bodies_.bytes() + room_.bytes() + shares_.bytes() +
+         pair_history_.bytes() + wall_history_.bytes() + sizeof(hg_pair) * walls_.capacity();
 }
 
 template class Simulation<2, double>;

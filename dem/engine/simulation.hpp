@@ -7,6 +7,8 @@
 #include "dem/kernels/contact_kernel.hpp"
 #include "dem/kernels/motion_kernel.hpp"
 #include "dem/state/contact_history.hpp"
+#include "dem/state/room.hpp"
+#include "dem/state/shares.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -27,7 +29,7 @@ class Simulation final : public Engine {
 
   uint64_t steps_done() const override { return steps_; }
   double time() const override { return static_cast<double>(steps_) * setup_.time_step; }
-  size_t pair_count() const override { return pairs_.size(); }
+  size_t pair_count() const override { return pair_count_; }
   size_t state_bytes() const override;
   hg_grid_stats grid_stats() const override { return search_.stats(); }
 
@@ -37,16 +39,15 @@ class Simulation final : public Engine {
  private:
   void require_speed() const;
   void load_bodies(const Setup &setup);
-  void list_wall_contacts();
-  Real wall_range() const;
-  PairView walls() const { return {wall_contacts_.data(), wall_contacts_.size()}; }
+  void list_walls(double within);
+  PairView walls() const { return {walls_.data(), walls_.size()}; }
 
+  // Lists of the pairs and walls that may touch, for the present places.
   void find_pairs();
   void find_forces();
-  ContactTask<D, Real> task_of(const ContactLaw<Real> &law, PairView contacts, ContactHistory<D, Real> &history);
-  void find_pair_forces();
+  ContactTask<D, Real> task_of(const ContactLaw<Real> &law, ContactHistory<D, Real> &history);
   void advance(const Stage &stage);
-  void grow();
+  double grow();
   void cross_sheared_faces();
 
   // The state at the time of the step, in the order of the arrays; centres not yet brought into the box.
@@ -54,8 +55,6 @@ class Simulation final : public Engine {
 
   double position_time() const;
   double image_offset() const;
-  const double *centers();
-  const double *radii();
 
   Setup setup_;  // without its arrays of particles
   std::vector<uint32_t> places_;
@@ -64,21 +63,23 @@ class Simulation final : public Engine {
   Boundary<D, Real> boundary_;
   BodyForce<D, Real> body_force_;
   ContactLaw<Real> pair_law_, wall_law_;
+  BatchFiller<D, Real> batch_filler_;
   ContactKernel<D, Real> pair_kernel_, wall_kernel_;
   MotionKernel<D, Real> motion_kernel_;
 
+  double slack_;  // for the rounding of distances
   ContactSearch search_;
-  std::vector<double> staged_centers_, staged_radii_;  // in double for the library (float state only)
+  Room<D, Real> room_;
   PairView pairs_;
-  std::vector<PairForce<D, Real>> pair_forces_;      // several threads
-  std::vector<std::vector<hg_pair>> walls_of_part_;  // by thread
-  std::vector<hg_pair> wall_contacts_;
+  std::vector<hg_pair> walls_;  // particles and walls
+  Shares shares_;
   ContactHistory<D, Real> pair_history_, wall_history_;
+  size_t pair_count_ = 0;
 
   double fastest_allowed_;  // approach that the time step is short enough for
   uint64_t steps_ = 0;
   double last_drift_ = 0;  // time between the present forces and those before
-  bool forces_known_ = false, pairs_known_ = false, radii_new_ = false;
+  bool forces_known_ = false, radii_new_ = false;
 };
 
 }  // namespace dem

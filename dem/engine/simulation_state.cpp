@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Looking at a simulation, saving and restoring it.
 #include "dem/base/error.hpp"
+#include "dem/effects/choice.hpp"
 #include "dem/engine/measure.hpp"
 #include "dem/engine/simulation.hpp"
 #include "dem/setup/space_order.hpp"
@@ -11,16 +12,46 @@
 namespace dem {
 namespace {
 
+// Adds pair p of a list, with what it remembers.
 template <int D, class Real>
-ContactState<D> state_of(PairView contacts, ContactHistory<D, Real> &history) {
-  ContactState<D> state{contacts, {}};
-  const auto all_rows = history.rows();
-  for (size_t k = 0; k < kHistoryCount; k++) {
-    const Vec<D, Real> *rows = all_rows[k];
-    if (rows == nullptr) continue;
-    for (size_t p = 0; p < contacts.size(); p++) state.history[k].push_back(rows[p].template cast<double>());
+void add_contact(const hg_pair &pair, size_t p, const ContactHistory<D, Real> *history, ContactState<D> &result) {
+  result.list.push_back(pair);
+  if (history == nullptr) return;
+  for (const EffectRow &row : kEffects) {
+    if (row.history == nullptr || !history->remembers(row.effect)) continue;
+    result.history[history_of(row.effect)].push_back(history->row_of(p, row.effect).template cast<double>());
   }
-  return state;
+}
+
+// Those of a list of pairs that act on each other in this state, and what they remember if there is a history.
+template <int D, class Real>
+ContactState<D> pairs_in(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state, PairView list,
+                         const ContactHistory<D, Real> *history) {
+  const auto nearest = choose<kImageEffects, double>(
+      setup.effects, [](auto set) { return &Boundary<D, double>::template nearest<decltype(set)::value>; });
+  ContactState<D> result;
+  for (size_t p = 0; p < list.size(); p++) {
+    const auto a = static_cast<size_t>(list[p].a), b = static_cast<size_t>(list[p].b);
+    Vec<D, double> separation =
+        vector_at<Vec<D, double>>(state.centers, b) - vector_at<Vec<D, double>>(state.centers, a);
+    (boundary.*nearest)(separation);
+    const double reach = state.radii[a] + state.radii[b] + contact_range(setup);
+    if (separation.squaredNorm() < reach * reach) add_contact(list[p], p, history, result);
+  }
+  return result;
+}
+
+template <int D, class Real>
+ContactState<D> walls_in(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state, PairView list,
+                         const ContactHistory<D, Real> *history) {
+  ContactState<D> result;
+  for (size_t p = 0; p < list.size(); p++) {
+    const auto i = static_cast<size_t>(list[p].a);
+    const double x = state.centers[i * D + static_cast<size_t>(axis_of(list[p].b))];
+    const bool reached = wall_overlap(boundary, x, state.radii[i], list[p].b) > -contact_range(setup);
+    if (reached) add_contact(list[p], p, history, result);
+  }
+  return result;
 }
 
 // What decides the course of a simulation besides its state.
@@ -44,12 +75,12 @@ Snapshot Simulation<D, Real>::state_now() {
   state.image_offset = image_offset();
   const AccelerationKernel<D, Real> acceleration = find_acceleration<D, Real>(setup_.effects);
   for (size_t i = 0; i < bodies_.count(); i++) {
-    const Vec<D, Real> v = bodies_.velocity[i] + kick * acceleration(bodies_, body_force_, i);
-    const Vec<D, Real> x = bodies_.position[i] - lead * v;
+    const Vec<D, Real> v = bodies_.velocity(i) + kick * acceleration(bodies_, body_force_, i);
+    const Vec<D, Real> x = bodies_.position(i) - lead * v;
     state.centers.insert(state.centers.end(), x.data(), x.data() + D);
     state.velocities.insert(state.velocities.end(), v.data(), v.data() + D);
-    state.radii.push_back(bodies_.radius[i]);
-    state.masses.push_back(bodies_.inverse_mass[i] > 0 ? 1.0 / static_cast<double>(bodies_.inverse_mass[i])
+    state.radii.push_back(bodies_.radius(i));
+    state.masses.push_back(bodies_.inverse_mass(i) > 0 ? 1.0 / static_cast<double>(bodies_.inverse_mass(i))
                                                        : kImmovable);
     if (bodies_.spin.empty()) continue;
     const Spin<D, Real> spin = bodies_.spin[i] + (kick * bodies_.inverse_inertia(i)) * bodies_.torque[i];
@@ -81,18 +112,25 @@ Measurement Simulation<D, Real>::measure() {
   boundary.offset = image_offset();
   if (setup_.scheme.shared_drift == 0) {
     find_pairs();
-    return measure_state<D>(setup_, boundary, state, state_of<D>(pairs_, pair_history_),
-                            state_of<D>(walls(), wall_history_));
+    return measure_state<D>(setup_, boundary, state, pairs_in<D>(setup_, boundary, state, pairs_, &pair_history_),
+                            walls_in<D>(setup_, boundary, state, walls(), &wall_history_));
   }
   // Positions are ahead of the step: its contacts are others than those of the forces, and remember nothing.
-  pairs_known_ = false;
-  const PairView pairs = search_.find(state.centers.data(), nullptr, image_offset());
+  room_.forget();
+  const auto column = [](const double *first, size_t width) {
+    return hg_array{first, static_cast<int64_t>(width * sizeof(double)), HG_REAL64, 0};
+  };
+  hg_array centers[3];
+  for (size_t k = 0; k < D; k++) centers[k] = column(state.centers.data() + k, D);
+  pairs_ = search_.find(centers, nullptr, image_offset());
   std::vector<hg_pair> listed;
-  const WallReach<D, double> reach(boundary, wall_range());
+  const WallReach<D, double> reach(boundary, contact_range(setup_) + slack_);
   for (size_t i = 0; i < state.radii.size(); i++) {
     reach.list(vector_at<Vec<D, double>>(state.centers, i), state.radii[i], i, listed);
   }
-  return measure_state<D>(setup_, boundary, state, {pairs, {}}, {{listed.data(), listed.size()}, {}});
+  const ContactHistory<D, Real> *none = nullptr;
+  return measure_state<D>(setup_, boundary, state, pairs_in<D>(setup_, boundary, state, pairs_, none),
+                          walls_in<D>(setup_, boundary, state, {listed.data(), listed.size()}, none));
 }
 
 template <int D, class Real>
@@ -101,9 +139,18 @@ void Simulation<D, Real>::save(Checkpoint &checkpoint) const {
   checkpoint.put_value("steps", steps_);
   checkpoint.put_value("forces known", static_cast<uint64_t>(forces_known_));
   checkpoint.put_value("last drift", last_drift_);
-  visit_arrays(bodies_, [&](const char *name, const auto &array) { checkpoint.put(name, array); });
-  pair_history_.save("pair", checkpoint);
-  wall_history_.save("wall", checkpoint);
+  const auto put = [&](const char *name, const std::vector<Row<Real>> &rows, size_t first, size_t width) {
+    std::vector<Real> numbers;
+    for (const Row<Real> &row : rows) {
+      for (size_t k = 0; k < width; k++) numbers.push_back(row.numbers[first + k]);
+    }
+    checkpoint.put(name, numbers);
+  };
+  visit_columns<D>(bodies_.places, bodies_.motions, bodies_.forces, put);
+  checkpoint.put("spin", bodies_.spin);
+  checkpoint.put("torque", bodies_.torque);
+  pair_history_.save("pair", pairs_, checkpoint);
+  wall_history_.save("wall", walls(), checkpoint);
 }
 
 template <int D, class Real>
@@ -129,12 +176,20 @@ void Simulation<D, Real>::restore(const Checkpoint &checkpoint) {
   steps_ = checkpoint.get_value<uint64_t>("steps");
   forces_known_ = checkpoint.get_value<uint64_t>("forces known") != 0;
   last_drift_ = checkpoint.get_value<double>("last drift");
-  visit_arrays(bodies_, [&](const char *name, auto &array) { checkpoint.get(name, array); });
+  const auto get = [&](const char *name, std::vector<Row<Real>> &rows, size_t first, size_t width) {
+    std::vector<Real> numbers(width * rows.size());
+    checkpoint.get(name, numbers);
+    for (size_t i = 0; i < rows.size(); i++) {
+      for (size_t k = 0; k < width; k++) rows[i].numbers[first + k] = numbers[i * width + k];
+    }
+  };
+  visit_columns<D>(bodies_.places, bodies_.motions, bodies_.forces, get);
+  checkpoint.get("spin", bodies_.spin);
+  checkpoint.get("torque", bodies_.torque);
   pair_history_.restore("pair", checkpoint);
   wall_history_.restore("wall", checkpoint);
-  list_wall_contacts();
   radii_new_ = true;
-  pairs_known_ = false;
+  room_.forget();
 }
 
 #define DEM_INSTANTIATE(D, Real)                                         \

@@ -10,28 +10,29 @@ namespace {
 
 template <EffectSet E, int D, class Real>
 inline Vec<D, Real> acceleration_of(const Bodies<D, Real> &bodies, const BodyForce<D, Real> &body_force, size_t i) {
-  return acceleration<E>(body_force, bodies.force[i], bodies.velocity[i], bodies.radius[i], bodies.inverse_mass[i]);
+  return acceleration<E, D, Real>(body_force, bodies.force(i), bodies.velocity(i), bodies.radius(i),
+                                  bodies.inverse_mass(i));
 }
 
 template <EffectSet E, int D, class Real>
-void move_bodies(const MotionTask<D, Real> &task, size_t first, size_t last, std::vector<hg_pair> &wall_contacts) {
+Real move_bodies(const MotionTask<D, Real> &task, size_t first, size_t last) {
   Bodies<D, Real> &bodies = *task.bodies;
-  [[maybe_unused]] const WallReach<D, Real> reach(*task.boundary, task.wall_range);
+  Real fastest = 0, none = 0;
   for (size_t i = first; i < last; i++) {
     const Vec<D, Real> a = acceleration_of<E>(bodies, task.body_force, i);
-    const Vec<D, Real> v = bodies.velocity[i] + task.kick * a;
-    const Vec<D, Real> x = bodies.position[i] + task.drift * v;
-    bodies.velocity[i] = v;
-    bodies.position[i] = x;
-    bodies.force[i].setZero();
+    const Vec<D, Real> v = bodies.velocity(i) + task.kick * a;
+    const Real speed = v.squaredNorm();
+    bodies.velocity(i) = v;
+    bodies.position(i) += task.drift * v;
+    bodies.force(i).setZero();
+    fastest = speed > fastest ? speed : fastest;
+    none += speed - speed;  // 0 of a number
     if constexpr (has(E, kFriction)) {
       bodies.spin[i] += (task.kick * bodies.inverse_inertia(i)) * bodies.torque[i];
       bodies.torque[i].setZero();
     }
-    if constexpr (has(E, kWalls)) {
-      if (reach.any(x, bodies.radius[i])) reach.list(x, bodies.radius[i], i, wall_contacts);
-    }
   }
+  return fastest + none;
 }
 
 }  // namespace

@@ -8,27 +8,32 @@
 
 namespace dem {
 
+// What a pair does to its two particles.
+template <int D, class Real>
+struct PairForce {
+  Vec<D, Real> force;                // on a; b gets the opposite
+  Spin<D, Real> torque_a, torque_b;  // friction only
+};
+
 template <EffectSet E, int D, class Real>
-PairForce<D, Real> pair_force(const ContactTask<D, Real> &task, size_t p) {
+inline PairForce<D, Real> pair_force(const ContactTask<D, Real> &task, const ContactBatch<Real> &batch, size_t p,
+                                     size_t a, size_t b) {
   const Bodies<D, Real> &bodies = *task.bodies;
-  const auto a = static_cast<size_t>(task.contacts[p].a), b = static_cast<size_t>(task.contacts[p].b);
   Contact<D, Real> contact;
-  Vec<D, Real> separation = bodies.position[b] - bodies.position[a];
-  [[maybe_unused]] const Real image_speed = task.boundary->template nearest<E>(separation);
-  const Real distance = normalize<D>(separation, contact.normal);
-  contact.overlap = bodies.radius[a] + bodies.radius[b] - distance;
-  if constexpr (has(E, kNeedMass)) contact.inverse_mass = bodies.inverse_mass[a] + bodies.inverse_mass[b];
-  if constexpr (has(E, kNeedRadius)) contact.inverse_radius = 1 / bodies.radius[a] + 1 / bodies.radius[b];
+  for (int axis = 0; axis < D; axis++) contact.normal[axis] = batch.normal[axis][p];
+  contact.overlap = batch.touching[p] - batch.distance[p];
+  if constexpr (has(E, kNeedMass)) contact.inverse_mass = bodies.inverse_mass(a) + bodies.inverse_mass(b);
+  if constexpr (has(E, kNeedRadius)) contact.inverse_radius = 1 / bodies.radius(a) + 1 / bodies.radius(b);
   if constexpr (has(E, kNeedVelocity)) {
-    contact.velocity = bodies.velocity[a] - bodies.velocity[b];
-    if constexpr (has(E, kShear)) contact.velocity[0] -= image_speed;
+    contact.velocity = bodies.velocity(a) - bodies.velocity(b);
+    if constexpr (has(E, kShear)) contact.velocity[0] -= batch.image_speed[p];
   }
   // From the centres to the middle of the overlap.
-  [[maybe_unused]] const Real arm_a = bodies.radius[a] - contact.overlap / 2;
-  [[maybe_unused]] const Real arm_b = bodies.radius[b] - contact.overlap / 2;
+  [[maybe_unused]] const Real arm_a = bodies.radius(a) - contact.overlap / 2;
+  [[maybe_unused]] const Real arm_b = bodies.radius(b) - contact.overlap / 2;
   if constexpr (has(E, kFriction)) contact.turning = arm_a * bodies.spin[a] + arm_b * bodies.spin[b];
   if constexpr (has(E, kRolling)) contact.spin = bodies.spin[a] - bodies.spin[b];
-  const ContactForce<D, Real> on_a = contact_force<E>(*task.law, contact, task.history, p);
+  const ContactForce<D, Real> on_a = contact_force<E>(*task.law, contact, task.history, batch.place[p]);
   PairForce<D, Real> result;
   result.force = on_a.force;
   if constexpr (has(E, kFriction)) {
@@ -42,39 +47,42 @@ PairForce<D, Real> pair_force(const ContactTask<D, Real> &task, size_t p) {
   return result;
 }
 
-template <EffectSet E, int D, class Real>
-void add_pair_force(Bodies<D, Real> &bodies, const hg_pair &pair, const PairForce<D, Real> &pair_force) {
-  const auto a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
-  bodies.force[a] += pair_force.force;
-  bodies.force[b] -= pair_force.force;
-  if constexpr (has(E, kFriction)) {
-    bodies.torque[a] += pair_force.torque_a;
-    bodies.torque[b] += pair_force.torque_b;
-  }
-}
-
 // First particles of a list follow one another in memory; second ones do not, and are asked for in time.
-constexpr size_t kPairsAhead = 16;
+constexpr size_t kContactsAhead = 8;
 
 template <int D, class Real>
-void fetch_ahead(const Bodies<D, Real> &bodies, const hg_pair &pair) {
+void fetch_ahead(const ContactTask<D, Real> &task, const ContactBatch<Real> &batch, size_t p) {
 #ifdef __GNUC__
-  const auto b = static_cast<size_t>(pair.b);
-  __builtin_prefetch(&bodies.position[b]);
-  __builtin_prefetch(&bodies.force[b], 1);
+  const size_t ahead = p + kContactsAhead < batch.count ? p + kContactsAhead : p;
+  __builtin_prefetch(&task.bodies->forces[static_cast<size_t>(task.pairs[batch.place[ahead]].b)], 1);
 #endif
 }
 
 template <EffectSet E, int D, class Real>
-void pair_forces(const ContactTask<D, Real> &task, size_t first, size_t last) {
-  if (task.pairs != nullptr) {
-    for (size_t p = first; p < last; p++) task.pairs[p] = pair_force<E>(task, p);
-  } else {
-    for (size_t p = first; p < last; p++) {
-      fetch_ahead(*task.bodies, task.contacts[p + kPairsAhead < last ? p + kPairsAhead : p]);
-      add_pair_force<E>(*task.bodies, task.contacts[p], pair_force<E>(task, p));
+size_t pair_forces(const ContactTask<D, Real> &task, const PairRun &run) {
+  Bodies<D, Real> &bodies = *task.bodies;
+  const BatchTask<D, Real> source{bodies.places.data(), task.boundary, task.pairs, task.range};
+  ContactBatch<Real> batch;
+  size_t found = 0;
+  for (size_t next = run.first_pair; next < run.last_pair;) {
+    next = task.fill_batch(source, next, run.last_pair, batch);
+    for (size_t p = 0; p < batch.count; p++) {
+      fetch_ahead(task, batch, p);
+      const hg_pair &pair = task.pairs[batch.place[p]];
+      const auto a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
+      const PairForce<D, Real> result = pair_force<E>(task, batch, p, a, b);
+      if (a >= run.first_body) {
+        bodies.force(a) += result.force;
+        if constexpr (has(E, kFriction)) bodies.torque[a] += result.torque_a;
+      }
+      if (b < run.last_body) {
+        bodies.force(b) -= result.force;
+        if constexpr (has(E, kFriction)) bodies.torque[b] += result.torque_b;
+      }
     }
+    found += batch.count;
   }
+  return found;
 }
 
 template <int D, class Real>

@@ -7,30 +7,35 @@
 namespace dem {
 namespace {
 
+// The force of wall contact p; false if it is none now.
 template <EffectSet E, int D, class Real>
-void wall_force(const ContactTask<D, Real> &task, size_t p) {
+bool wall_force(const ContactTask<D, Real> &task, size_t p) {
   Bodies<D, Real> &bodies = *task.bodies;
-  const int32_t wall = task.contacts[p].b;
-  const auto i = static_cast<size_t>(task.contacts[p].a);
+  const int32_t wall = task.pairs[p].b;
+  const auto i = static_cast<size_t>(task.pairs[p].a);
   Contact<D, Real> contact;
+  contact.overlap = wall_overlap(*task.boundary, bodies.position(i)[axis_of(wall)], bodies.radius(i), wall);
+  if (!(contact.overlap > -task.range)) return false;
   contact.normal = Vec<D, Real>::Zero();
   contact.normal[axis_of(wall)] = is_upper(wall) ? Real(1) : Real(-1);
-  contact.overlap = wall_overlap(*task.boundary, bodies.position[i][axis_of(wall)], bodies.radius[i], wall);
-  if constexpr (has(E, kNeedMass)) contact.inverse_mass = bodies.inverse_mass[i];
-  if constexpr (has(E, kNeedRadius)) contact.inverse_radius = 1 / bodies.radius[i];
-  if constexpr (has(E, kNeedVelocity)) contact.velocity = bodies.velocity[i];
-  [[maybe_unused]] const Real arm = bodies.radius[i] - contact.overlap;
+  if constexpr (has(E, kNeedMass)) contact.inverse_mass = bodies.inverse_mass(i);
+  if constexpr (has(E, kNeedRadius)) contact.inverse_radius = 1 / bodies.radius(i);
+  if constexpr (has(E, kNeedVelocity)) contact.velocity = bodies.velocity(i);
+  [[maybe_unused]] const Real arm = bodies.radius(i) - contact.overlap;
   if constexpr (has(E, kFriction)) contact.turning = arm * bodies.spin[i];
   if constexpr (has(E, kRolling)) contact.spin = bodies.spin[i];
   const ContactForce<D, Real> on_body = contact_force<E>(*task.law, contact, task.history, p);
-  bodies.force[i] += on_body.force;
+  bodies.force(i) += on_body.force;
   if constexpr (has(E, kFriction)) bodies.torque[i] += arm * on_body.moment;
   if constexpr (has(E, kRolling)) bodies.torque[i] += on_body.rolling;
+  return true;
 }
 
 template <EffectSet E, int D, class Real>
-void wall_forces(const ContactTask<D, Real> &task, size_t first, size_t last) {
-  for (size_t p = first; p < last; p++) wall_force<E>(task, p);
+size_t wall_forces(const ContactTask<D, Real> &task, const PairRun &run) {
+  size_t found = 0;
+  for (size_t p = run.first_pair; p < run.last_pair; p++) found += wall_force<E>(task, p) ? 1 : 0;
+  return found;
 }
 
 }  // namespace

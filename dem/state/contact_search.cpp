@@ -1,21 +1,40 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The pairs of each step, from the library.
+// The pairs that may touch soon, from the library.
 #include "dem/state/contact_search.hpp"
 
 #include "dem/effects/contact_law.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <vector>
+
 namespace dem {
 namespace {
 
-hg_grid_def grid_def(const Setup &setup) {
+double usable_skin(const Setup &setup, double slack) {
+  if (setup.count() == 0) return 0;
+  double skin = std::min(setup.skin, 2 * *std::min_element(setup.radii.begin(), setup.radii.end()));
+  std::vector<double> largest(2);  // of two different particles
+  std::partial_sort_copy(setup.radii.begin(), setup.radii.end(), largest.begin(), largest.end(), std::greater<>());
+  const double growth = has(setup.effects, kGrowth) ? std::max(1.0, 1 + setup.growth_rate * setup.growth_end) : 1;
+  const double widest = growth * (largest[0] + largest[1]) + contact_range(setup) + slack;
+  for (int axis = 0; axis < setup.dimension; axis++) {
+    if (!setup.periodic[axis]) continue;
+    const double length = setup.box_max[axis] - setup.box_min[axis];
+    skin = std::min(skin, length / 2 - widest - slack);
+  }
+  return std::max(0.0, skin);
+}
+
+hg_grid_def grid_def(const Setup &setup, double margin) {
   hg_grid_def def = hg_default_grid_def();
   def.dimension = setup.dimension;
   def.thread_count = setup.threads;
   def.pair_order = HG_ORDER_ID;
+  def.accuracy = HG_FLOAT;
   def.level_count = setup.level_count;
-  def.skin = setup.skin;
-  def.margin = contact_range(setup);
+  def.margin = margin;
   for (int axis = 0; axis < setup.dimension; axis++) {
     def.box_min[axis] = setup.box_min[axis];
     def.box_max[axis] = setup.box_max[axis];
@@ -26,17 +45,21 @@ hg_grid_def grid_def(const Setup &setup) {
 
 }  // namespace
 
-ContactSearch::ContactSearch(const Setup &setup)
-    : def_(grid_def(setup)), grid_(def_), count_(setup.count()), sheared_(has(setup.effects, kShear)) {
+ContactSearch::ContactSearch(const Setup &setup, double slack)
+    : skin_(usable_skin(setup, slack)),
+      def_(grid_def(setup, contact_range(setup) + skin_ + slack)),
+      grid_(def_),
+      count_(setup.count()),
+      sheared_(has(setup.effects, kShear)) {
   grid_.insert(count_, setup.centers.data(), setup.radii.data());
 }
 
-PairView ContactSearch::find(const double *centers, const double *radii, double offset) {
+PairView ContactSearch::find(const hg_array *centers, const hg_array *radius, double offset) {
   if (sheared_) {
     const double tilt[3] = {offset, 0, 0};
     grid_.set_box(def_.box_min, def_.box_max, tilt);
   }
-  grid_.move(count_, centers, radii);
+  grid_.move_arrays(count_, centers, radius);
   return grid_.query_pairs();
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The pairs of each step, from the library.
+// The pairs that may touch soon, from the library.
 #pragma once
 
 #include "dem/setup/setup.hpp"
@@ -13,20 +13,26 @@ namespace dem {
 
 using PairView = hgrid::View<hg_pair>;
 
-// Pairs come ascending, (a, b) with a < b: their order, and so every sum of forces, depends on nothing but the
-// positions, not on threads, skin, or what the grid has seen before.
+// Pairs come ascending, (a, b) with a < b. Which of them touch is decided later, by the positions alone: so their order
+// among themselves, and every sum of forces, depends neither on threads nor on the skin.
 class ContactSearch {
  public:
-  explicit ContactSearch(const Setup &setup);
+  // `slack` is added to every reach, for the rounding of those who decide.
+  ContactSearch(const Setup &setup, double slack);
 
-  // The pairs of particles at `centers` [count][dimension] that are within reach of each other; `radii` null if they
-  // have not changed. `offset` is how far the images above have moved along x (shear): the tilt of the periodic cell.
-  // The result lasts until the next call.
-  PairView find(const double *centers, const double *radii, double offset);
+  // What of the setup's skin is of use: a periodic box must have room for it, and long before it is as wide as the
+  // smallest particle it does not pay.
+  double skin() const { return skin_; }
+
+  // The pairs that act on each other or could after each has moved and grown by half the skin; radii null if they have
+  // not changed. `offset` is how far the images above have moved along x (shear): the tilt of the periodic cell. The
+  // result lasts until the next call.
+  PairView find(const hg_array *centers, const hg_array *radius, double offset);
 
   hg_grid_stats stats() const { return grid_.get_stats(); }
 
  private:
+  double skin_;
   hg_grid_def def_;
   hgrid::Grid grid_;
   size_t count_;
