@@ -83,8 +83,8 @@ void Simulation<D, Real>::load_bodies(const Setup &setup) {
     bodies_.position(i) += lead * bodies_.velocity(i);
     bodies_.radius(i) = static_cast<Real>(setup.radii[i]);
     bodies_.inverse_mass(i) = static_cast<Real>(1 / setup.masses[i]);
-    if (bodies_.spin.empty() || setup.spins.empty()) continue;
-    bodies_.spin[i] = vector_at<Spin<D, double>>(setup.spins, i).template cast<Real>();
+    if (!bodies_.rotating() || setup.spins.empty()) continue;
+    bodies_.spin(i) = vector_at<Spin<D, double>>(setup.spins, i).template cast<Real>();
   }
 }
 

@@ -7,6 +7,7 @@
 #include "dem/engine/simulation.hpp"
 #include "dem/setup/space_order.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dem {
@@ -82,8 +83,8 @@ Snapshot Simulation<D, Real>::state_now() {
     state.radii.push_back(bodies_.radius(i));
     state.masses.push_back(bodies_.inverse_mass(i) > 0 ? 1.0 / static_cast<double>(bodies_.inverse_mass(i))
                                                        : kImmovable);
-    if (bodies_.spin.empty()) continue;
-    const Spin<D, Real> spin = bodies_.spin[i] + (kick * bodies_.inverse_inertia(i)) * bodies_.torque[i];
+    if (!bodies_.rotating()) continue;
+    const Spin<D, Real> spin = bodies_.spin(i) + (kick * bodies_.inverse_inertia(i)) * bodies_.torque(i);
     state.spins.insert(state.spins.end(), spin.data(), spin.data() + spin.size());
   }
   return state;
@@ -139,16 +140,11 @@ void Simulation<D, Real>::save(Checkpoint &checkpoint) const {
   checkpoint.put_value("steps", steps_);
   checkpoint.put_value("forces known", static_cast<uint64_t>(forces_known_));
   checkpoint.put_value("last drift", last_drift_);
-  const auto put = [&](const char *name, const std::vector<Row<Real>> &rows, size_t first, size_t width) {
+  visit_quantities(bodies_, [&](const char *name, size_t count, size_t width, auto numbers_of) {
     std::vector<Real> numbers;
-    for (const Row<Real> &row : rows) {
-      for (size_t k = 0; k < width; k++) numbers.push_back(row.numbers[first + k]);
-    }
+    for (size_t i = 0; i < count; i++) numbers.insert(numbers.end(), numbers_of(i), numbers_of(i) + width);
     checkpoint.put(name, numbers);
-  };
-  visit_columns<D>(bodies_.places, bodies_.motions, bodies_.forces, put);
-  checkpoint.put("spin", bodies_.spin);
-  checkpoint.put("torque", bodies_.torque);
+  });
   pair_history_.save("pair", pairs_, checkpoint);
   wall_history_.save("wall", walls(), checkpoint);
 }
@@ -176,16 +172,11 @@ void Simulation<D, Real>::restore(const Checkpoint &checkpoint) {
   steps_ = checkpoint.get_value<uint64_t>("steps");
   forces_known_ = checkpoint.get_value<uint64_t>("forces known") != 0;
   last_drift_ = checkpoint.get_value<double>("last drift");
-  const auto get = [&](const char *name, std::vector<Row<Real>> &rows, size_t first, size_t width) {
-    std::vector<Real> numbers(width * rows.size());
+  visit_quantities(bodies_, [&](const char *name, size_t count, size_t width, auto numbers_of) {
+    std::vector<Real> numbers(width * count);
     checkpoint.get(name, numbers);
-    for (size_t i = 0; i < rows.size(); i++) {
-      for (size_t k = 0; k < width; k++) rows[i].numbers[first + k] = numbers[i * width + k];
-    }
-  };
-  visit_columns<D>(bodies_.places, bodies_.motions, bodies_.forces, get);
-  checkpoint.get("spin", bodies_.spin);
-  checkpoint.get("torque", bodies_.torque);
+    for (size_t i = 0; i < count; i++) std::copy_n(numbers.data() + i * width, width, numbers_of(i));
+  });
   pair_history_.restore("pair", checkpoint);
   wall_history_.restore("wall", checkpoint);
   radii_new_ = true;

@@ -28,8 +28,8 @@ Real move_bodies(const MotionTask<D, Real> &task, size_t first, size_t last) {
     fastest = speed > fastest ? speed : fastest;
     none += speed - speed;  // 0 of a number
     if constexpr (has(E, kFriction)) {
-      bodies.spin[i] += (task.kick * bodies.inverse_inertia(i)) * bodies.torque[i];
-      bodies.torque[i].setZero();
+      bodies.spin(i) += (task.kick * bodies.inverse_inertia(i)) * bodies.torque(i);
+      bodies.torque(i).setZero();
     }
   }
   return fastest + none;

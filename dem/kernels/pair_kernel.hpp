@@ -31,8 +31,8 @@ inline PairForce<D, Real> pair_force(const ContactTask<D, Real> &task, const Con
   // From the centres to the middle of the overlap.
   [[maybe_unused]] const Real arm_a = bodies.radius(a) - contact.overlap / 2;
   [[maybe_unused]] const Real arm_b = bodies.radius(b) - contact.overlap / 2;
-  if constexpr (has(E, kFriction)) contact.turning = arm_a * bodies.spin[a] + arm_b * bodies.spin[b];
-  if constexpr (has(E, kRolling)) contact.spin = bodies.spin[a] - bodies.spin[b];
+  if constexpr (has(E, kFriction)) contact.turning = arm_a * bodies.spin(a) + arm_b * bodies.spin(b);
+  if constexpr (has(E, kRolling)) contact.spin = bodies.spin(a) - bodies.spin(b);
   const ContactForce<D, Real> on_a = contact_force<E>(*task.law, contact, task.history, batch.place[p]);
   PairForce<D, Real> result;
   result.force = on_a.force;
@@ -48,13 +48,22 @@ inline PairForce<D, Real> pair_force(const ContactTask<D, Real> &task, const Con
 }
 
 // First particles of a list follow one another in memory; second ones do not, and are asked for in time.
-constexpr size_t kContactsAhead = 8;
+constexpr size_t kContactsAhead = 12;
 
-template <int D, class Real>
-void fetch_ahead(const ContactTask<D, Real> &task, const ContactBatch<Real> &batch, size_t p) {
+template <EffectSet E, int D, class Real>
+inline void fetch_ahead(const ContactTask<D, Real> &task, const ContactBatch<Real> &batch, size_t p) {
 #ifdef __GNUC__
-  const size_t ahead = p + kContactsAhead < batch.count ? p + kContactsAhead : p;
-  __builtin_prefetch(&task.bodies->forces[static_cast<size_t>(task.pairs[batch.place[ahead]].b)], 1);
+  const size_t ahead = batch.place[p + kContactsAhead < batch.count ? p + kContactsAhead : p];
+  const auto b = static_cast<size_t>(task.pairs[ahead].b);
+  const auto a = static_cast<size_t>(task.pairs[ahead].a);
+  __builtin_prefetch(&task.bodies->moves[a], 1);
+  __builtin_prefetch(&task.bodies->moves[b], 1);
+  if constexpr (has(E, kFriction)) {
+    __builtin_prefetch(&task.bodies->turns[a], 1);
+    __builtin_prefetch(&task.bodies->turns[b], 1);
+    __builtin_prefetch(&task.history.met[ahead], 1);
+    __builtin_prefetch(&task.history.rows[history_of(kFriction)][ahead], 1);
+  }
 #endif
 }
 
@@ -67,17 +76,17 @@ size_t pair_forces(const ContactTask<D, Real> &task, const PairRun &run) {
   for (size_t next = run.first_pair; next < run.last_pair;) {
     next = task.fill_batch(source, next, run.last_pair, batch);
     for (size_t p = 0; p < batch.count; p++) {
-      fetch_ahead(task, batch, p);
+      fetch_ahead<E>(task, batch, p);
       const hg_pair &pair = task.pairs[batch.place[p]];
       const auto a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
       const PairForce<D, Real> result = pair_force<E>(task, batch, p, a, b);
       if (a >= run.first_body) {
         bodies.force(a) += result.force;
-        if constexpr (has(E, kFriction)) bodies.torque[a] += result.torque_a;
+        if constexpr (has(E, kFriction)) bodies.torque(a) += result.torque_a;
       }
       if (b < run.last_body) {
         bodies.force(b) -= result.force;
-        if constexpr (has(E, kFriction)) bodies.torque[b] += result.torque_b;
+        if constexpr (has(E, kFriction)) bodies.torque(b) += result.torque_b;
       }
     }
     found += batch.count;

@@ -22,12 +22,12 @@ bool wall_force(const ContactTask<D, Real> &task, size_t p) {
   if constexpr (has(E, kNeedRadius)) contact.inverse_radius = 1 / bodies.radius(i);
   if constexpr (has(E, kNeedVelocity)) contact.velocity = bodies.velocity(i);
   [[maybe_unused]] const Real arm = bodies.radius(i) - contact.overlap;
-  if constexpr (has(E, kFriction)) contact.turning = arm * bodies.spin[i];
-  if constexpr (has(E, kRolling)) contact.spin = bodies.spin[i];
+  if constexpr (has(E, kFriction)) contact.turning = arm * bodies.spin(i);
+  if constexpr (has(E, kRolling)) contact.spin = bodies.spin(i);
   const ContactForce<D, Real> on_body = contact_force<E>(*task.law, contact, task.history, p);
   bodies.force(i) += on_body.force;
-  if constexpr (has(E, kFriction)) bodies.torque[i] += arm * on_body.moment;
-  if constexpr (has(E, kRolling)) bodies.torque[i] += on_body.rolling;
+  if constexpr (has(E, kFriction)) bodies.torque(i) += arm * on_body.moment;
+  if constexpr (has(E, kRolling)) bodies.torque(i) += on_body.rolling;
   return true;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The state of all particles. What belongs together in the loops stands together: rows of four numbers, a vector and
-// one number beside it. Arrays of effects that are off stay empty.
+// one number beside it; what forces act on and the forces share a line of the cache. Arrays of effects that are off stay
+// empty.
 #pragma once
 
+#include "dem/base/large_array.hpp"
 #include "dem/base/vector.hpp"
 #include "dem/effects/effects.hpp"
 
@@ -12,69 +14,79 @@
 
 namespace dem {
 
-// In two dimensions the third number is 0.
+// A vector and a number; in two dimensions the third number is 0.
 template <class Real>
 struct alignas(4 * sizeof(Real)) Row {
   Real numbers[4];
 
-  template <int D>
-  Eigen::Map<Vec<D, Real>> vector() {
-    return Eigen::Map<Vec<D, Real>>(numbers);
+  // The first numbers.
+  template <int width>
+  Eigen::Map<Vec<width, Real>> vector() {
+    return Eigen::Map<Vec<width, Real>>(numbers);
   }
-  template <int D>
-  Eigen::Map<const Vec<D, Real>> vector() const {
-    return Eigen::Map<const Vec<D, Real>>(numbers);
+  template <int width>
+  Eigen::Map<const Vec<width, Real>> vector() const {
+    return Eigen::Map<const Vec<width, Real>>(numbers);
   }
+};
+
+// A velocity and what changes it.
+template <class Real>
+struct alignas(8 * sizeof(Real)) Course {
+  Row<Real> speed, push;
 };
 
 template <int D, class Real>
 struct Bodies {
-  std::vector<Row<Real>> places;            // centre and radius
-  std::vector<Row<Real>> motions;           // velocity and inverse mass; 0: moves as at the start, whatever pushes
-  std::vector<Row<Real>> forces;            // and 0
-  std::vector<Spin<D, Real>> spin, torque;  // friction only
+  LargeArray<Row<Real>> places;    // centre and radius
+  LargeArray<Course<Real>> moves;  // velocity and inverse mass (0: moves as at the start, whatever pushes); force
+  LargeArray<Course<Real>> turns;  // spin; torque (friction only)
+
+  static constexpr int kDimension = D, kSpin = Spin<D, Real>::RowsAtCompileTime;
 
   size_t count() const { return places.size(); }
 
   auto position(size_t i) { return places[i].template vector<D>(); }
   auto position(size_t i) const { return places[i].template vector<D>(); }
-  auto velocity(size_t i) { return motions[i].template vector<D>(); }
-  auto velocity(size_t i) const { return motions[i].template vector<D>(); }
-  auto force(size_t i) { return forces[i].template vector<D>(); }
-  auto force(size_t i) const { return forces[i].template vector<D>(); }
+  auto velocity(size_t i) { return moves[i].speed.template vector<D>(); }
+  auto velocity(size_t i) const { return moves[i].speed.template vector<D>(); }
+  auto force(size_t i) { return moves[i].push.template vector<D>(); }
+  auto force(size_t i) const { return moves[i].push.template vector<D>(); }
+  auto spin(size_t i) { return turns[i].speed.template vector<kSpin>(); }
+  auto spin(size_t i) const { return turns[i].speed.template vector<kSpin>(); }
+  auto torque(size_t i) { return turns[i].push.template vector<kSpin>(); }
+  auto torque(size_t i) const { return turns[i].push.template vector<kSpin>(); }
   Real &radius(size_t i) { return places[i].numbers[3]; }
   Real radius(size_t i) const { return places[i].numbers[3]; }
-  Real &inverse_mass(size_t i) { return motions[i].numbers[3]; }
-  Real inverse_mass(size_t i) const { return motions[i].numbers[3]; }
+  Real &inverse_mass(size_t i) { return moves[i].speed.numbers[3]; }
+  Real inverse_mass(size_t i) const { return moves[i].speed.numbers[3]; }
+  bool rotating() const { return !turns.empty(); }
 
   void resize(size_t count, EffectSet effects) {
     places.resize(count);
-    motions.resize(count);
-    forces.resize(count);
-    if (has(effects, kFriction)) {
-      const Spin<D, Real> still = Spin<D, Real>::Zero();
-      spin.resize(count, still);
-      torque.resize(count, still);
-    }
+    moves.resize(count);
+    if (has(effects, kFriction)) turns.resize(count);
   }
 
-  size_t bytes() const {
-    return sizeof(Row<Real>) * 3 * count() + sizeof(Spin<D, Real>) * (spin.size() + torque.size());
-  }
+  size_t bytes() const { return sizeof(Row<Real>) * count() + sizeof(Course<Real>) * (moves.size() + turns.size()); }
 
   // 1 / I from 1 / m.
   Real inverse_inertia(size_t i) const { return Real(inverse_shape(D)) * inverse_mass(i) / (radius(i) * radius(i)); }
 };
 
-// The quantities that stand in rows, as checkpoints hold them, by name: visit(name, rows, first, width) for `width`
-// numbers of each row from `first` on. What is written and what is read is one list.
-template <int D, class SomeRows, class Visit>
-void visit_columns(SomeRows &places, SomeRows &motions, SomeRows &forces, Visit visit) {
-  visit("position", places, size_t{0}, size_t{D});
-  visit("velocity", motions, size_t{0}, size_t{D});
-  visit("force", forces, size_t{0}, size_t{D});
-  visit("radius", places, size_t{3}, size_t{1});
-  visit("inverse mass", motions, size_t{3}, size_t{1});
+// All quantities under the names that they have in checkpoints: visit(name, count, width, numbers_of), where
+// numbers_of(i) are those of particle i. What is written and what is read is one list.
+template <class SomeBodies, class Visit>
+void visit_quantities(SomeBodies &bodies, Visit visit) {
+  const size_t count = bodies.count(), turning = bodies.turns.size();
+  const auto width = static_cast<size_t>(bodies.kDimension), spin_width = static_cast<size_t>(bodies.kSpin);
+  visit("position", count, width, [&](size_t i) { return bodies.places[i].numbers; });
+  visit("velocity", count, width, [&](size_t i) { return bodies.moves[i].speed.numbers; });
+  visit("force", count, width, [&](size_t i) { return bodies.moves[i].push.numbers; });
+  visit("radius", count, size_t{1}, [&](size_t i) { return bodies.places[i].numbers + 3; });
+  visit("inverse mass", count, size_t{1}, [&](size_t i) { return bodies.moves[i].speed.numbers + 3; });
+  visit("spin", turning, spin_width, [&](size_t i) { return bodies.turns[i].speed.numbers; });
+  visit("torque", turning, spin_width, [&](size_t i) { return bodies.turns[i].push.numbers; });
 }
 
 }  // namespace dem

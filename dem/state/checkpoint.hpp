@@ -23,8 +23,8 @@ class Checkpoint {
     block.resize(count * sizeof(T));
     if (count > 0) std::memcpy(block.data(), static_cast<const void *>(items), block.size());
   }
-  template <class T>
-  void put(const std::string &name, const std::vector<T> &items) {
+  template <class T, class Memory>
+  void put(const std::string &name, const std::vector<T, Memory> &items) {
     put(name, items.data(), items.size());
   }
   template <class T>
@@ -39,8 +39,8 @@ class Checkpoint {
     if (stored.size() != count * sizeof(T)) throw wrong_size(name, stored.size(), count * sizeof(T));
     if (count > 0) std::memcpy(static_cast<void *>(items), stored.data(), stored.size());
   }
-  template <class T>
-  void get(const std::string &name, std::vector<T> &items) const {
+  template <class T, class Memory>
+  void get(const std::string &name, std::vector<T, Memory> &items) const {
     get(name, items.data(), items.size());
   }
   // As many items as the block holds.

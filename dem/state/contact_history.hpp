@@ -3,6 +3,7 @@
 // What contacts remember from step to step: the stretch of their tangential springs.
 #pragma once
 
+#include "dem/base/large_array.hpp"
 #include "dem/effects/contact_force.hpp"
 #include "dem/state/checkpoint.hpp"
 #include "dem/state/contact_search.hpp"
@@ -92,7 +93,7 @@ class ContactHistory {
   }
 
  private:
-  using Rows = std::vector<Vec<D, Real>>;
+  using Rows = LargeArray<Vec<D, Real>>;
 
   struct Packed {
     std::vector<hg_pair> pairs;
@@ -126,7 +127,7 @@ class ContactHistory {
 
   EffectSet effects_;
   std::array<Rows, kHistoryCount> rows_;
-  std::vector<uint32_t> met_;  // the last pass in which each pair touched
+  LargeArray<uint32_t> met_;  // the last pass in which each pair touched
   uint32_t pass_ = 0;
   Packed packed_;
   bool unpacked_ = false;

@@ -78,7 +78,7 @@ class Room {
   double half_skin_;
   bool straight_;
   double left_ = -1, last_ = 0, extent_ = 0;
-  std::vector<Row<Real>> start_;  // places of the last search
+  LargeArray<Row<Real>> start_;  // places of the last search
 };
 
 }  // namespace dem

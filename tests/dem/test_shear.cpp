@@ -63,8 +63,10 @@ Pairs pairs_by_images(const dem::Setup &setup, double offset) {
 
 bool search_agrees(double offset) {
   const dem::Setup setup = sheared_gas(1, 1.3);
-  dem::ContactSearch search(setup);
-  const dem::PairView found = search.find(setup.centers.data(), nullptr, offset);
+  dem::ContactSearch search(setup, 0);
+  hg_array centers[3];
+  for (size_t k = 0; k < 3; k++) centers[k] = {&setup.centers[k], 3 * sizeof(double), HG_REAL64, 0};
+  const dem::PairView found = search.find(centers, nullptr, offset);
   Pairs listed;
   bool ascending = true;
   for (const hg_pair &pair : found) {
