@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace dem {
 
@@ -20,33 +22,45 @@ struct Contact : NormalContact<Real> {
   Spin<D, Real> spin;     // of a relative to b (rolling)
 };
 
-// What contacts remember, a row for each pair that may touch, and the time that it advances.
+// What contacts remember. Pairs are looked at in ascending order of their places in a list; so the contacts of the pass
+// before and those of this one are two lists in the same order, which are gone through side by side.
+template <int D, class Real>
+struct Remembered {
+  std::vector<uint32_t> places;
+  std::array<std::vector<Vec<D, Real>>, kHistoryCount> rows;  // by history_of(effect); empty without the effect
+};
+
 template <int D, class Real>
 struct History {
-  std::array<Vec<D, Real> *, kHistoryCount> rows;
-  uint32_t *met;  // the pass over all contacts in which each pair last touched
-  uint32_t pass;  // the present one
-  Real step;
+  Remembered<D, Real> before, now;
+  size_t next = 0;  // among those before
 
-  // Pair p touches: what it remembers is of the pass before, or nothing.
-  template <EffectSet E>
-  void meet(size_t p) const {
-    if (met[p] + 1 != pass) {
-      for (const EffectRow &row : kEffects) {
-        if (row.history != nullptr && has(E, row.effect)) rows[history_of(row.effect)][p].setZero();
-      }
-    }
-    met[p] = pass;
+  // A pass over all pairs begins.
+  void begin_pass() {
+    std::swap(before, now);
+    now.places.clear();
+    for (auto &rows : now.rows) rows.clear();
+    next = 0;
   }
 
-  // That of the pairs from p on.
-  History from(size_t p) const {
-    History result = *this;
-    result.met += p;
-    for (Vec<D, Real> *&row : result.rows) {
-      if (row != nullptr) row += p;
-    }
-    return result;
+  // The pair at this place touches: its rows, those of the pass before or 0, are the last of `now`.
+  template <EffectSet E>
+  void meet(uint32_t place) {
+    while (next < before.places.size() && before.places[next] < place) next++;
+    const bool known = next < before.places.size() && before.places[next] == place;
+    now.places.push_back(place);
+    for_rows<E>([&](size_t k) {
+      now.rows[k].push_back(known ? before.rows[k][next] : Vec<D, Real>(Vec<D, Real>::Zero()));
+    });
+  }
+
+  Vec<D, Real> &row(Effect effect) { return now.rows[history_of(effect)].back(); }
+
+ private:
+  template <EffectSet E, class Visit>
+  static void for_rows(Visit visit) {
+    if constexpr (has(E, kFriction)) visit(history_of(kFriction));
+    if constexpr (has(E, kRolling)) visit(history_of(kRolling));
   }
 };
 
@@ -91,12 +105,12 @@ constexpr Real stiffness_ratio(const ContactLaw<Real> &law, Effect effect) {
   return effect == kFriction ? law.tangential_ratio : effect == kRolling ? law.rolling_ratio : Real(0);
 }
 
-// The force of contact p; `inline`, since else compilers find it too large to expand into the kernels.
+// The force of the contact at place p of its list; `step`: the time since the forces of the pass before. `inline`, since else compilers find it too large to expand into the kernels.
 template <EffectSet E, int D, class Real>
 inline ContactForce<D, Real> contact_force(const ContactLaw<Real> &law, Contact<D, Real> &contact,
-                                           const History<D, Real> &history, size_t p) {
+                                           History<D, Real> *history, Real step, size_t p) {
   ContactForce<D, Real> result;
-  if constexpr (has(E, effects_with_history())) history.template meet<E>(p);
+  if constexpr (has(E, effects_with_history())) history->template meet<E>(static_cast<uint32_t>(p));
   if constexpr (has(E, kDissipation)) contact.closing_speed = contact.velocity.dot(contact.normal);
   const NormalForce<Real> normal = normal_force<E, Real>(law, contact);
   result.force = -normal.value * contact.normal;
@@ -105,7 +119,7 @@ inline ContactForce<D, Real> contact_force(const ContactLaw<Real> &law, Contact<
     const Vec<D, Real> surface_velocity = contact.velocity + turn<D, Real>(contact.turning, contact.normal);
     const Vec<D, Real> along = surface_velocity - contact.normal * contact.normal.dot(surface_velocity);
     const Vec<D, Real> tangential = slider_force<D>(
-        history.rows[history_of(kFriction)][p], contact.normal, along, history.step,
+        history->row(kFriction), contact.normal, along, step,
         law.tangential_ratio * normal.stiffness, law.tangential_ratio * normal.damping, law.friction * normal.spring);
     result.force += tangential;
     result.moment = moment<D, Real>(contact.normal, tangential);
@@ -113,8 +127,7 @@ inline ContactForce<D, Real> contact_force(const ContactLaw<Real> &law, Contact<
   if constexpr (has(E, kRolling)) {
     const Real radius = 1 / contact.inverse_radius;
     const Vec<D, Real> turning = radius * turn<D, Real>(contact.spin, contact.normal);
-    const Vec<D, Real> resistance = slider_force<D>(history.rows[history_of(kRolling)][p], contact.normal, turning,
-                                                    history.step, law.rolling_ratio * normal.stiffness,
+    const Vec<D, Real> resistance = slider_force<D>(history->row(kRolling), contact.normal, turning, step, law.rolling_ratio * normal.stiffness,
                                                     law.rolling_ratio * normal.damping, law.rolling * normal.spring);
     result.rolling = radius * moment<D, Real>(contact.normal, resistance);
   }

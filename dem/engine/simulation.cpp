@@ -140,8 +140,14 @@ void Simulation<D, Real>::find_pairs() {
   radii_new_ = false;
   list_walls(search_.skin() / 2 + slack_);
   share_out(bodies_.count(), threads_, pairs_, walls(), shares_);
-  pair_history_.unpack(pairs_, shares_.places);
-  wall_history_.unpack(walls(), {});
+  std::vector<ListPart> of_walls, of_pairs;
+  for (const Share &share : shares_.of_thread) {
+    of_walls.push_back({share.first_wall, share.last_wall, nullptr});
+    of_pairs.push_back({share.first_pair, share.last_pair, nullptr});
+    of_pairs.push_back({share.first_incoming, share.last_incoming, shares_.places.data()});
+  }
+  wall_history_.unpack(walls(), of_walls);
+  pair_history_.unpack(pairs_, of_pairs);
   room_.renew(bodies_);
 }
 
@@ -150,19 +156,17 @@ template <int D, class Real>
 void Simulation<D, Real>::find_forces() {
   if (forces_known_) return;
   find_pairs();
-  ContactTask<D, Real> of_walls = task_of(wall_law_, wall_history_), of_pairs = task_of(pair_law_, pair_history_);
-  of_walls.pairs = walls_.data();
-  of_pairs.pairs = pairs_.data();
-  ContactTask<D, Real> of_incoming = of_pairs;
-  of_incoming.pairs = shares_.incoming.data();
-  of_incoming.history = of_pairs.history.from(pairs_.size());
+  const ContactTask<D, Real> of_walls = task_of(wall_law_), of_pairs = task_of(pair_law_);
   std::vector<size_t> found(shares_.of_thread.size());
   in_parts(threads_, shares_.of_thread.size(), [&](int, size_t first, size_t last) {
-    for (size_t part = first; part < last; part++) {
-      const Share &share = shares_.of_thread[part];
-      wall_kernel_(of_walls, {share.first_wall, share.last_wall, share.first_body, share.last_body});
-      pair_kernel_(of_incoming, {share.first_incoming, share.last_incoming, share.first_body, share.last_body});
-      found[part] = pair_kernel_(of_pairs, {share.first_pair, share.last_pair, share.first_body, share.last_body});
+    for (size_t k = first; k < last; k++) {
+      const Share &share = shares_.of_thread[k];
+      const size_t low = share.first_body, high = share.last_body;
+      wall_kernel_(of_walls, {walls_.data(), share.first_wall, share.last_wall, low, high, wall_history_.part(k)});
+      pair_kernel_(of_pairs, {shares_.incoming.data(), share.first_incoming, share.last_incoming, low, high,
+                              pair_history_.part(2 * k + 1)});
+      found[k] = pair_kernel_(of_pairs, {pairs_.data(), share.first_pair, share.last_pair, low, high,
+                                         pair_history_.part(2 * k)});
     }
   });
   pair_count_ = std::accumulate(found.begin(), found.end(), size_t{0});
@@ -170,13 +174,8 @@ void Simulation<D, Real>::find_forces() {
 }
 
 template <int D, class Real>
-ContactTask<D, Real> Simulation<D, Real>::task_of(const ContactLaw<Real> &law, ContactHistory<D, Real> &history) {
-  return {&bodies_,
-          &boundary_,
-          &law,
-          nullptr,
-          history.next_pass(static_cast<Real>(last_drift_)),
-          static_cast<Real>(contact_range(setup_)),
+ContactTask<D, Real> Simulation<D, Real>::task_of(const ContactLaw<Real> &law) {
+  return {&bodies_, &boundary_, &law, static_cast<Real>(last_drift_), static_cast<Real>(contact_range(setup_)),
           batch_filler_};
 }
 

@@ -45,7 +45,7 @@ class Simulation final : public Engine {
   // Lists of the pairs and walls that may touch, for the present places.
   void find_pairs();
   void find_forces();
-  ContactTask<D, Real> task_of(const ContactLaw<Real> &law, ContactHistory<D, Real> &history);
+  ContactTask<D, Real> task_of(const ContactLaw<Real> &law);
   void advance(const Stage &stage);
   double grow();
   void cross_sheared_faces();

@@ -13,44 +13,48 @@
 namespace dem {
 namespace {
 
-// Adds pair p of a list, with what it remembers.
+// What the contacts of a list remember, in its order.
 template <int D, class Real>
-void add_contact(const hg_pair &pair, size_t p, const ContactHistory<D, Real> *history, ContactState<D> &result) {
-  result.list.push_back(pair);
-  if (history == nullptr) return;
+void add_history(const ContactHistory<D, Real> &history, PairView list, ContactState<D> &contacts) {
+  const ContactRows<D, Real> known = history.contacts_of(list);
   for (const EffectRow &row : kEffects) {
-    if (row.history == nullptr || !history->remembers(row.effect)) continue;
-    result.history[history_of(row.effect)].push_back(history->row_of(p, row.effect).template cast<double>());
+    if (row.history == nullptr || !history.remembers(row.effect)) continue;
+    const auto &rows = known.rows[history_of(row.effect)];
+    for (const hg_pair &pair : contacts.list) {
+      const size_t place = known.find(pair);
+      Vec<D, double> stretch = Vec<D, double>::Zero();
+      if (place < rows.size()) stretch = rows[place].template cast<double>();
+      contacts.history[history_of(row.effect)].push_back(stretch);
+    }
   }
 }
 
-// Those of a list of pairs that act on each other in this state, and what they remember if there is a history.
-template <int D, class Real>
-ContactState<D> pairs_in(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state, PairView list,
-                         const ContactHistory<D, Real> *history) {
+// Those of a list of pairs that act on each other in this state.
+template <int D>
+ContactState<D> pairs_in(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
+                         PairView list) {
   const auto nearest = choose<kImageEffects, double>(
       setup.effects, [](auto set) { return &Boundary<D, double>::template nearest<decltype(set)::value>; });
   ContactState<D> result;
-  for (size_t p = 0; p < list.size(); p++) {
-    const auto a = static_cast<size_t>(list[p].a), b = static_cast<size_t>(list[p].b);
+  for (const hg_pair &pair : list) {
+    const auto a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
     Vec<D, double> separation =
         vector_at<Vec<D, double>>(state.centers, b) - vector_at<Vec<D, double>>(state.centers, a);
     (boundary.*nearest)(separation);
     const double reach = state.radii[a] + state.radii[b] + contact_range(setup);
-    if (separation.squaredNorm() < reach * reach) add_contact(list[p], p, history, result);
+    if (separation.squaredNorm() < reach * reach) result.list.push_back(pair);
   }
   return result;
 }
 
-template <int D, class Real>
-ContactState<D> walls_in(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state, PairView list,
-                         const ContactHistory<D, Real> *history) {
+template <int D>
+ContactState<D> walls_in(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
+                         PairView list) {
   ContactState<D> result;
-  for (size_t p = 0; p < list.size(); p++) {
-    const auto i = static_cast<size_t>(list[p].a);
-    const double x = state.centers[i * D + static_cast<size_t>(axis_of(list[p].b))];
-    const bool reached = wall_overlap(boundary, x, state.radii[i], list[p].b) > -contact_range(setup);
-    if (reached) add_contact(list[p], p, history, result);
+  for (const hg_pair &pair : list) {
+    const auto i = static_cast<size_t>(pair.a);
+    const double x = state.centers[i * D + static_cast<size_t>(axis_of(pair.b))];
+    if (wall_overlap(boundary, x, state.radii[i], pair.b) > -contact_range(setup)) result.list.push_back(pair);
   }
   return result;
 }
@@ -113,8 +117,11 @@ Measurement Simulation<D, Real>::measure() {
   boundary.offset = image_offset();
   if (setup_.scheme.shared_drift == 0) {
     find_pairs();
-    return measure_state<D>(setup_, boundary, state, pairs_in<D>(setup_, boundary, state, pairs_, &pair_history_),
-                            walls_in<D>(setup_, boundary, state, walls(), &wall_history_));
+    ContactState<D> of_pairs = pairs_in<D>(setup_, boundary, state, pairs_);
+    ContactState<D> of_walls = walls_in<D>(setup_, boundary, state, walls());
+    add_history(pair_history_, pairs_, of_pairs);
+    add_history(wall_history_, walls(), of_walls);
+    return measure_state<D>(setup_, boundary, state, of_pairs, of_walls);
   }
   // Positions are ahead of the step: its contacts are others than those of the forces, and remember nothing.
   room_.forget();
@@ -129,9 +136,8 @@ Measurement Simulation<D, Real>::measure() {
   for (size_t i = 0; i < state.radii.size(); i++) {
     reach.list(vector_at<Vec<D, double>>(state.centers, i), state.radii[i], i, listed);
   }
-  const ContactHistory<D, Real> *none = nullptr;
-  return measure_state<D>(setup_, boundary, state, pairs_in<D>(setup_, boundary, state, pairs_, none),
-                          walls_in<D>(setup_, boundary, state, {listed.data(), listed.size()}, none));
+  return measure_state<D>(setup_, boundary, state, pairs_in<D>(setup_, boundary, state, pairs_),
+                          walls_in<D>(setup_, boundary, state, {listed.data(), listed.size()}));
 }
 
 template <int D, class Real>

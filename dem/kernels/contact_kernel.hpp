@@ -19,21 +19,23 @@ struct ContactTask {
   Bodies<D, Real> *bodies;
   const Boundary<D, Real> *boundary;
   const ContactLaw<Real> *law;
-  const hg_pair *pairs;      // of two particles, or of particle a with wall b; ascending
-  History<D, Real> history;  // its step: the time since the forces were last computed
-  Real range;                // how far surfaces act beyond touching
+  Real step;   // the time since the forces were last computed
+  Real range;  // how far surfaces act beyond touching
   BatchFiller<D, Real> fill_batch = nullptr;  // of two particles
 };
 
-// Pairs of a list, and the particles that get forces.
+// Pairs of a list, what the contacts among them remember, and the particles that get forces.
+template <int D, class Real>
 struct PairRun {
+  const hg_pair *pairs;  // of two particles, or of particle a with wall b; ascending
   size_t first_pair, last_pair;
   size_t first_body, last_body;
+  History<D, Real> *history;
 };
 
 // Adds the forces of the contacts among those pairs; returns how many they are.
 template <int D, class Real>
-using ContactKernel = size_t (*)(const ContactTask<D, Real> &task, const PairRun &run);
+using ContactKernel = size_t (*)(const ContactTask<D, Real> &task, const PairRun<D, Real> &run);
 
 // The kernels of a set of effects, of which those of pairs or contacts count. Throw Error if this build has none.
 template <int D, class Real>

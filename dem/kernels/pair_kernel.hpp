@@ -16,8 +16,8 @@ struct PairForce {
 };
 
 template <EffectSet E, int D, class Real>
-inline PairForce<D, Real> pair_force(const ContactTask<D, Real> &task, const ContactBatch<Real> &batch, size_t p,
-                                     size_t a, size_t b) {
+inline PairForce<D, Real> pair_force(const ContactTask<D, Real> &task, const ContactBatch<Real> &batch,
+                                     History<D, Real> *history, size_t p, size_t a, size_t b) {
   const Bodies<D, Real> &bodies = *task.bodies;
   Contact<D, Real> contact;
   for (int axis = 0; axis < D; axis++) contact.normal[axis] = batch.normal[axis][p];
@@ -33,7 +33,7 @@ inline PairForce<D, Real> pair_force(const ContactTask<D, Real> &task, const Con
   [[maybe_unused]] const Real arm_b = bodies.radius(b) - contact.overlap / 2;
   if constexpr (has(E, kFriction)) contact.turning = arm_a * bodies.spin(a) + arm_b * bodies.spin(b);
   if constexpr (has(E, kRolling)) contact.spin = bodies.spin(a) - bodies.spin(b);
-  const ContactForce<D, Real> on_a = contact_force<E>(*task.law, contact, task.history, batch.place[p]);
+  const ContactForce<D, Real> on_a = contact_force<E>(*task.law, contact, history, task.step, batch.place[p]);
   PairForce<D, Real> result;
   result.force = on_a.force;
   if constexpr (has(E, kFriction)) {
@@ -51,35 +51,33 @@ inline PairForce<D, Real> pair_force(const ContactTask<D, Real> &task, const Con
 constexpr size_t kContactsAhead = 12;
 
 template <EffectSet E, int D, class Real>
-inline void fetch_ahead(const ContactTask<D, Real> &task, const ContactBatch<Real> &batch, size_t p) {
+inline void fetch_ahead(const Bodies<D, Real> &bodies, const hg_pair *pairs, const ContactBatch<Real> &batch, size_t p) {
 #ifdef __GNUC__
-  const size_t ahead = batch.place[p + kContactsAhead < batch.count ? p + kContactsAhead : p];
-  const auto b = static_cast<size_t>(task.pairs[ahead].b);
-  const auto a = static_cast<size_t>(task.pairs[ahead].a);
-  __builtin_prefetch(&task.bodies->moves[a], 1);
-  __builtin_prefetch(&task.bodies->moves[b], 1);
+  const hg_pair &pair = pairs[batch.place[p + kContactsAhead < batch.count ? p + kContactsAhead : p]];
+  const auto a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
+  __builtin_prefetch(&bodies.moves[a], 1);
+  __builtin_prefetch(&bodies.moves[b], 1);
   if constexpr (has(E, kFriction)) {
-    __builtin_prefetch(&task.bodies->turns[a], 1);
-    __builtin_prefetch(&task.bodies->turns[b], 1);
-    __builtin_prefetch(&task.history.met[ahead], 1);
-    __builtin_prefetch(&task.history.rows[history_of(kFriction)][ahead], 1);
+    __builtin_prefetch(&bodies.turns[a], 1);
+    __builtin_prefetch(&bodies.turns[b], 1);
   }
 #endif
 }
 
 template <EffectSet E, int D, class Real>
-size_t pair_forces(const ContactTask<D, Real> &task, const PairRun &run) {
+size_t pair_forces(const ContactTask<D, Real> &task, const PairRun<D, Real> &run) {
   Bodies<D, Real> &bodies = *task.bodies;
-  const BatchTask<D, Real> source{bodies.places.data(), task.boundary, task.pairs, task.range};
+  const BatchTask<D, Real> source{bodies.places.data(), task.boundary, run.pairs, task.range};
   ContactBatch<Real> batch;
   size_t found = 0;
+  if constexpr (has(E, effects_with_history())) run.history->begin_pass();
   for (size_t next = run.first_pair; next < run.last_pair;) {
     next = task.fill_batch(source, next, run.last_pair, batch);
     for (size_t p = 0; p < batch.count; p++) {
-      fetch_ahead<E>(task, batch, p);
-      const hg_pair &pair = task.pairs[batch.place[p]];
+      fetch_ahead<E>(bodies, run.pairs, batch, p);
+      const hg_pair &pair = run.pairs[batch.place[p]];
       const auto a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
-      const PairForce<D, Real> result = pair_force<E>(task, batch, p, a, b);
+      const PairForce<D, Real> result = pair_force<E>(task, batch, run.history, p, a, b);
       if (a >= run.first_body) {
         bodies.force(a) += result.force;
         if constexpr (has(E, kFriction)) bodies.torque(a) += result.torque_a;

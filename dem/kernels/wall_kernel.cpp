@@ -9,10 +9,10 @@ namespace {
 
 // The force of wall contact p; false if it is none now.
 template <EffectSet E, int D, class Real>
-bool wall_force(const ContactTask<D, Real> &task, size_t p) {
+bool wall_force(const ContactTask<D, Real> &task, const PairRun<D, Real> &run, size_t p) {
   Bodies<D, Real> &bodies = *task.bodies;
-  const int32_t wall = task.pairs[p].b;
-  const auto i = static_cast<size_t>(task.pairs[p].a);
+  const int32_t wall = run.pairs[p].b;
+  const auto i = static_cast<size_t>(run.pairs[p].a);
   Contact<D, Real> contact;
   contact.overlap = wall_overlap(*task.boundary, bodies.position(i)[axis_of(wall)], bodies.radius(i), wall);
   if (!(contact.overlap > -task.range)) return false;
@@ -24,7 +24,7 @@ bool wall_force(const ContactTask<D, Real> &task, size_t p) {
   [[maybe_unused]] const Real arm = bodies.radius(i) - contact.overlap;
   if constexpr (has(E, kFriction)) contact.turning = arm * bodies.spin(i);
   if constexpr (has(E, kRolling)) contact.spin = bodies.spin(i);
-  const ContactForce<D, Real> on_body = contact_force<E>(*task.law, contact, task.history, p);
+  const ContactForce<D, Real> on_body = contact_force<E>(*task.law, contact, run.history, task.step, p);
   bodies.force(i) += on_body.force;
   if constexpr (has(E, kFriction)) bodies.torque(i) += arm * on_body.moment;
   if constexpr (has(E, kRolling)) bodies.torque(i) += on_body.rolling;
@@ -32,9 +32,10 @@ bool wall_force(const ContactTask<D, Real> &task, size_t p) {
 }
 
 template <EffectSet E, int D, class Real>
-size_t wall_forces(const ContactTask<D, Real> &task, const PairRun &run) {
+size_t wall_forces(const ContactTask<D, Real> &task, const PairRun<D, Real> &run) {
   size_t found = 0;
-  for (size_t p = run.first_pair; p < run.last_pair; p++) found += wall_force<E>(task, p) ? 1 : 0;
+  if constexpr (has(E, effects_with_history())) run.history->begin_pass();
+  for (size_t p = run.first_pair; p < run.last_pair; p++) found += wall_force<E>(task, run, p) ? 1 : 0;
   return found;
 }
 

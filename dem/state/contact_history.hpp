@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// What contacts remember from step to step: the stretch of their tangential springs.
+// What contacts remember from step to step, where lists of pairs come and go: the stretch of their tangential springs.
 #pragma once
 
-#include "dem/base/large_array.hpp"
 #include "dem/effects/contact_force.hpp"
 #include "dem/state/checkpoint.hpp"
 #include "dem/state/contact_search.hpp"
 
 #include <hgrid/hgrid.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -18,8 +18,29 @@
 
 namespace dem {
 
-// For each effect with history one row per pair that may touch, found by its place in the list of those. When that list
-// is made anew, what touches now is packed, and the library's contact history finds its places in the new one.
+// A part of a list of pairs that one thread looks at: places first .. last - 1. Of copies, `sources` says which places
+// of the list they come from.
+struct ListPart {
+  size_t first, last;
+  const uint32_t *sources;
+};
+
+// Contacts by their pairs, ascending, and their rows by history_of(effect).
+template <int D, class Real>
+struct ContactRows {
+  std::vector<hg_pair> pairs;
+  std::array<std::vector<Vec<D, Real>>, kHistoryCount> rows;
+
+  // Where a pair stands; pairs.size(): nowhere.
+  size_t find(const hg_pair &pair) const {
+    const auto before = [](const hg_pair &x, const hg_pair &y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
+    const auto place = std::lower_bound(pairs.begin(), pairs.end(), pair, before);
+    const bool found = place != pairs.end() && !before(pair, *place);
+    return found ? static_cast<size_t>(place - pairs.begin()) : pairs.size();
+  }
+};
+
+// When a list ends its contacts are packed, and the library's contact history finds their places in the next one.
 template <int D, class Real>
 class ContactHistory {
  public:
@@ -27,53 +48,61 @@ class ContactHistory {
 
   // Before `list` ends. Once packed it stays so, until there is a new list.
   void pack(PairView list) {
-    if (effects_ != 0 && unpacked_) packed_ = contacts_of(list);
-    unpacked_ = false;
+    packed_ = contacts_of(list);
+    parts_.clear();
   }
 
-  // Old contacts keep their rows, new ones start with zero. `copies` are places in the list whose pairs are looked at
-  // twice: their second rows stand behind the others.
-  void unpack(PairView list, const std::vector<uint32_t> &copies) {
-    unpacked_ = true;
+  // Old contacts keep their rows, new ones start with none. The parts that have no sources are in order, and the list
+  // is all of them.
+  void unpack(PairView list, const std::vector<ListPart> &parts) {
+    parts_.assign(parts.size(), {});
+    whole_.clear();
+    for (const ListPart &part : parts) whole_.push_back(part.sources == nullptr);
     if (effects_ == 0) return;
     hgrid::History history;
     history.restore(packed_.pairs.size(), packed_.pairs.data());
-    history.update(list.size(), list.data());
-    met_.assign(list.size() + copies.size(), pass_);
-    for (const EffectRow &row : kEffects) {
-      if (!has(effects_, row.effect)) continue;
-      Rows &rows = rows_[history_of(row.effect)];
-      rows.resize(list.size() + copies.size());
-      history.carry(sizeof(Vec<D, Real>), packed_.rows[history_of(row.effect)].data(), rows.data());
-      for (size_t k = 0; k < copies.size(); k++) rows[list.size() + k] = rows[copies[k]];
+    const hgrid::View<int64_t> former = history.update(list.size(), list.data());
+    for (size_t k = 0; k < parts.size(); k++) {
+      Remembered<D, Real> &now = parts_[k].now;
+      for (size_t p = parts[k].first; p < parts[k].last; p++) {
+        const int64_t place = former[parts[k].sources != nullptr ? parts[k].sources[p] : p];
+        if (place < 0) continue;
+        now.places.push_back(static_cast<uint32_t>(p));
+        for (size_t row = 0; row < kHistoryCount; row++) {
+          if (!packed_.rows[row].empty()) now.rows[row].push_back(packed_.rows[row][static_cast<size_t>(place)]);
+        }
+      }
     }
   }
 
-  // A pass over all contacts begins; `step`: the time since the last one.
-  History<D, Real> next_pass(Real step) {
-    pass_++;
-    History<D, Real> result{{}, met_.data(), pass_, step};
-    for (size_t k = 0; k < kHistoryCount; k++) result.rows[k] = rows_[k].empty() ? nullptr : rows_[k].data();
-    return result;
-  }
+  History<D, Real> *part(size_t k) { return &parts_[k]; }
 
   bool remembers(Effect effect) const { return has(effects_, effect); }
 
-  // What pair p of the list remembers of such an effect.
-  Vec<D, Real> row_of(size_t p, Effect effect) const {
-    if (met_[p] != pass_) return Vec<D, Real>::Zero();
-    return rows_[history_of(effect)][p];
+  // Those that remember anything; a contact whose rows are 0 is as good as new.
+  ContactRows<D, Real> contacts_of(PairView list) const {
+    if (parts_.empty()) return packed_;
+    ContactRows<D, Real> result;
+    for (size_t k = 0; k < parts_.size(); k++) {
+      if (whole_[k]) add_contacts(list, parts_[k].now, result);
+    }
+    return result;
   }
 
   size_t bytes() const {
-    size_t count = 0;
-    for (const Rows &rows : rows_) count += rows.capacity();
-    return sizeof(Vec<D, Real>) * count + sizeof(uint32_t) * met_.capacity();
+    size_t bytes = 0;
+    for (const History<D, Real> &part : parts_) {
+      for (const Remembered<D, Real> *list : {&part.before, &part.now}) {
+        bytes += sizeof(uint32_t) * list->places.capacity();
+        for (const auto &rows : list->rows) bytes += sizeof(Vec<D, Real>) * rows.capacity();
+      }
+    }
+    return bytes;
   }
 
   void save(const std::string &name, PairView list, Checkpoint &checkpoint) const {
     if (effects_ == 0) return;
-    const Packed packed = unpacked_ ? contacts_of(list) : packed_;
+    const ContactRows<D, Real> packed = contacts_of(list);
     checkpoint.put(name + " pairs", packed.pairs);
     for (const EffectRow &row : kEffects) {
       if (is_saved(row)) checkpoint.put(name + " " + row.history, packed.rows[history_of(row.effect)]);
@@ -81,43 +110,33 @@ class ContactHistory {
   }
 
   void restore(const std::string &name, const Checkpoint &checkpoint) {
-    unpacked_ = false;
+    parts_.clear();
     if (effects_ == 0) return;
     checkpoint.get_all(name + " pairs", packed_.pairs);
     for (const EffectRow &row : kEffects) {
       if (!is_saved(row)) continue;
-      Rows &rows = packed_.rows[history_of(row.effect)];
+      auto &rows = packed_.rows[history_of(row.effect)];
       rows.resize(has(effects_, row.effect) ? packed_.pairs.size() : 0);
       checkpoint.get(name + " " + row.history, rows);
     }
   }
 
  private:
-  using Rows = LargeArray<Vec<D, Real>>;
-
-  struct Packed {
-    std::vector<hg_pair> pairs;
-    std::array<Rows, kHistoryCount> rows;
-  };
-
-  // The pairs that remember anything; a contact whose rows are 0 is as good as new.
-  Packed contacts_of(PairView list) const {
-    Packed result;
-    for (size_t p = 0; p < list.size(); p++) {
-      if (met_[p] != pass_ || is_blank(p)) continue;
-      result.pairs.push_back(list[p]);
+  static void add_contacts(PairView list, const Remembered<D, Real> &contacts, ContactRows<D, Real> &result) {
+    for (size_t p = 0; p < contacts.places.size(); p++) {
+      if (is_blank(contacts, p)) continue;
+      result.pairs.push_back(list[contacts.places[p]]);
       for (size_t k = 0; k < kHistoryCount; k++) {
-        if (!rows_[k].empty()) result.rows[k].push_back(rows_[k][p]);
+        if (!contacts.rows[k].empty()) result.rows[k].push_back(contacts.rows[k][p]);
       }
     }
-    return result;
   }
 
-  bool is_blank(size_t p) const {
-    static const Vec<D, Real> kZero = Vec<D, Real>::Zero();
+  static bool is_blank(const Remembered<D, Real> &contacts, size_t p) {
+    const Vec<D, Real> zero = Vec<D, Real>::Zero();
     bool blank = true;
-    for (const Rows &rows : rows_) {
-      blank = blank && (rows.empty() || std::memcmp(rows[p].data(), kZero.data(), D * sizeof(Real)) == 0);
+    for (const auto &rows : contacts.rows) {
+      blank = blank && (rows.empty() || std::memcmp(rows[p].data(), zero.data(), D * sizeof(Real)) == 0);
     }
     return blank;
   }
@@ -126,11 +145,9 @@ class ContactHistory {
   bool is_saved(const EffectRow &row) const { return row.history != nullptr && has(effects_, row.effect | row.needs); }
 
   EffectSet effects_;
-  std::array<Rows, kHistoryCount> rows_;
-  LargeArray<uint32_t> met_;  // the last pass in which each pair touched
-  uint32_t pass_ = 0;
-  Packed packed_;
-  bool unpacked_ = false;
+  std::vector<History<D, Real>> parts_;  // empty while packed
+  std::vector<bool> whole_;              // whether a part is no copy
+  ContactRows<D, Real> packed_;
 };
 
 }  // namespace dem
