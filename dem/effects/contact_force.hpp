@@ -85,17 +85,17 @@ Vec<D, Real> slider_force(Vec<D, Real> &stretch, const Vec<D, Real> &normal, con
   stretch -= normal * normal.dot(stretch);  // the contact has turned since the last step
   const Vec<D, Real> stretched = stretch + velocity * step;
   Vec<D, Real> force = -stiffness * stretched - damping * velocity;
-  const Real size = force.norm();
-  if (!(size > limit)) {
-    stretch = stretched;
-    return force;
-  }
   // While the surfaces slide, spring and dashpot bear the limit together, so the spring follows at the rate that the
   // dashpot allows. Were it put where it bears the limit alone, a contact would be wound up further than it has moved,
   // and gain energy.
-  force *= limit / size;
+  const Real size = force.norm();
+  const bool slides = size > limit;
+  const Real borne[2] = {1, limit / size};
+  force *= borne[slides];
   const Real firmness = damping + stiffness * step;
-  if (firmness > 0) stretch = (damping * stretch - step * force) / firmness;
+  Vec<D, Real> followed[2] = {stretched, stretch};  // no branch: which contacts slide cannot be foreseen
+  if (firmness > 0) followed[1] = (damping * stretch - step * force) / firmness;
+  stretch = followed[slides];
   return force;
 }
 
