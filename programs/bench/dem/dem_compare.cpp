@@ -39,6 +39,7 @@ Contestants programs(const Options &options, const std::string &isa) {
   Contestants list{bench::engine_steps({}, isa)};
   add_engine_with_skins(options, isa, 1, list);
   add_engine_with_skins(options, isa, 2, list);
+  for (const double skin : options.skins) list.push_back(bench::loop_steps({1, skin, 0, true}, isa));
   list.push_back(bench::plain_steps(0));
 #ifdef HGRID_PEER_LAMMPS
   for (const int collections : {0, 2, 3, 4, 6}) {

@@ -55,6 +55,9 @@ StepContestant engine_steps(const StepSetting &setting, const std::string &isa);
 StepContestant plain_steps(int level_count);
 StepContestant hashed_steps(int level_count);
 
+// The plain loop in C of examples/elastic_steps.c over the library's contacts.
+StepContestant loop_steps(const StepSetting &setting, const std::string &isa);
+
 // LAMMPS, pair_style gran/hooke: collections 0 for lists of the style `bin`, else their number for `multi`.
 StepContestant lammps_steps(const StepSetting &setting, int collections);
 
