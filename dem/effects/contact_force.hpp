@@ -49,9 +49,8 @@ struct History {
     while (next < before.places.size() && before.places[next] < place) next++;
     const bool known = next < before.places.size() && before.places[next] == place;
     now.places.push_back(place);
-    for_rows<E>([&](size_t k) {
-      now.rows[k].push_back(known ? before.rows[k][next] : Vec<D, Real>(Vec<D, Real>::Zero()));
-    });
+    for_rows<E>(
+        [&](size_t k) { now.rows[k].push_back(known ? before.rows[k][next] : Vec<D, Real>(Vec<D, Real>::Zero())); });
   }
 
   Vec<D, Real> &row(Effect effect) { return now.rows[history_of(effect)].back(); }
@@ -105,7 +104,8 @@ constexpr Real stiffness_ratio(const ContactLaw<Real> &law, Effect effect) {
   return effect == kFriction ? law.tangential_ratio : effect == kRolling ? law.rolling_ratio : Real(0);
 }
 
-// The force of the contact at place p of its list; `step`: the time since the forces of the pass before. `inline`, since else compilers find it too large to expand into the kernels.
+// The force of the contact at place p of its list; `step`: the time since the forces of the pass before. `inline`,
+// since else compilers find it too large to expand into the kernels.
 template <EffectSet E, int D, class Real>
 inline ContactForce<D, Real> contact_force(const ContactLaw<Real> &law, Contact<D, Real> &contact,
                                            History<D, Real> *history, Real step, size_t p) {
@@ -118,17 +118,18 @@ inline ContactForce<D, Real> contact_force(const ContactLaw<Real> &law, Contact<
   if constexpr (has(E, kFriction)) {
     const Vec<D, Real> surface_velocity = contact.velocity + turn<D, Real>(contact.turning, contact.normal);
     const Vec<D, Real> along = surface_velocity - contact.normal * contact.normal.dot(surface_velocity);
-    const Vec<D, Real> tangential = slider_force<D>(
-        history->row(kFriction), contact.normal, along, step,
-        law.tangential_ratio * normal.stiffness, law.tangential_ratio * normal.damping, law.friction * normal.spring);
+    const Vec<D, Real> tangential =
+        slider_force<D>(history->row(kFriction), contact.normal, along, step, law.tangential_ratio * normal.stiffness,
+                        law.tangential_ratio * normal.damping, law.friction * normal.spring);
     result.force += tangential;
     result.moment = moment<D, Real>(contact.normal, tangential);
   }
   if constexpr (has(E, kRolling)) {
     const Real radius = 1 / contact.inverse_radius;
     const Vec<D, Real> turning = radius * turn<D, Real>(contact.spin, contact.normal);
-    const Vec<D, Real> resistance = slider_force<D>(history->row(kRolling), contact.normal, turning, step, law.rolling_ratio * normal.stiffness,
-                                                    law.rolling_ratio * normal.damping, law.rolling * normal.spring);
+    const Vec<D, Real> resistance =
+        slider_force<D>(history->row(kRolling), contact.normal, turning, step, law.rolling_ratio * normal.stiffness,
+                        law.rolling_ratio * normal.damping, law.rolling * normal.spring);
     result.rolling = radius * moment<D, Real>(contact.normal, resistance);
   }
   return result;

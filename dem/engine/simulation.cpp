@@ -95,7 +95,8 @@ void Simulation<D, Real>::list_walls(double within) {
   if (!has(setup_.effects, kWalls)) return;
   const WallReach<D, Real> reach(boundary_, static_cast<Real>(contact_range(setup_) + within));
   for (size_t i = 0; i < bodies_.count(); i++) {
-    if (reach.any(bodies_.position(i), bodies_.radius(i))) reach.list(bodies_.position(i), bodies_.radius(i), i, walls_);
+    if (reach.any(bodies_.position(i), bodies_.radius(i)))
+      reach.list(bodies_.position(i), bodies_.radius(i), i, walls_);
   }
 }
 
@@ -134,7 +135,9 @@ void Simulation<D, Real>::find_pairs() {
   pair_history_.pack(pairs_);
   wall_history_.pack(walls());
   constexpr int32_t kType = sizeof(Real) == sizeof(double) ? HG_REAL64 : HG_REAL32;
-  const auto column = [&](size_t k) { return hg_array{&bodies_.places.data()->numbers[k], sizeof(Row<Real>), kType, 0}; };
+  const auto column = [&](size_t k) {
+    return hg_array{&bodies_.places.data()->numbers[k], sizeof(Row<Real>), kType, 0};
+  };
   const hg_array centers[3] = {column(0), column(1), column(2)}, radius = column(3);
   pairs_ = search_.find(centers, radii_new_ ? &radius : nullptr, image_offset());
   radii_new_ = false;
@@ -165,8 +168,8 @@ void Simulation<D, Real>::find_forces() {
       wall_kernel_(of_walls, {walls_.data(), share.first_wall, share.last_wall, low, high, wall_history_.part(k)});
       pair_kernel_(of_pairs, {shares_.incoming.data(), share.first_incoming, share.last_incoming, low, high,
                               pair_history_.part(2 * k + 1)});
-      found[k] = pair_kernel_(of_pairs, {pairs_.data(), share.first_pair, share.last_pair, low, high,
-                                         pair_history_.part(2 * k)});
+      found[k] = pair_kernel_(of_pairs,
+                              {pairs_.data(), share.first_pair, share.last_pair, low, high, pair_history_.part(2 * k)});
     }
   });
   pair_count_ = std::accumulate(found.begin(), found.end(), size_t{0});
@@ -175,7 +178,7 @@ void Simulation<D, Real>::find_forces() {
 
 template <int D, class Real>
 ContactTask<D, Real> Simulation<D, Real>::task_of(const ContactLaw<Real> &law) {
-  return {&bodies_, &boundary_, &law, static_cast<Real>(last_drift_), static_cast<Real>(contact_range(setup_)),
+  return {&bodies_,     &boundary_, &law, static_cast<Real>(last_drift_), static_cast<Real>(contact_range(setup_)),
           batch_filler_};
 }
 

@@ -22,7 +22,7 @@ struct ContactBatch {
   uint32_t place[kMost + kWidest];  // of the pair in its list
   Real normal[3][kMost + kWidest];  // from a to the image of b that it meets, of length 1
   Real distance[kMost + kWidest];
-  Real touching[kMost + kWidest];  // r_a + r_b
+  Real touching[kMost + kWidest];     // r_a + r_b
   Real image_speed[kMost + kWidest];  // along x, that b has besides its own with this image (shear)
 };
 

@@ -19,8 +19,8 @@ struct ContactTask {
   Bodies<D, Real> *bodies;
   const Boundary<D, Real> *boundary;
   const ContactLaw<Real> *law;
-  Real step;   // the time since the forces were last computed
-  Real range;  // how far surfaces act beyond touching
+  Real step;                                  // the time since the forces were last computed
+  Real range;                                 // how far surfaces act beyond touching
   BatchFiller<D, Real> fill_batch = nullptr;  // of two particles
 };
 

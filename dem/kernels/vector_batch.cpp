@@ -96,8 +96,8 @@ DEM_AVX512_ENTRY size_t fill_by_eight(const BatchTask<D, double> &task, size_t n
       if constexpr (D == 3) eight.z = nearest(*task.boundary, 2, eight.z);
     }
     const __m512d reach = _mm512_add_pd(eight.touching, range);
-    const __mmask8 hit = _mm512_mask_cmp_pd_mask(there, squared(eight.x, eight.y, eight.z),
-                                                 _mm512_mul_pd(reach, reach), _CMP_LT_OQ);
+    const __mmask8 hit =
+        _mm512_mask_cmp_pd_mask(there, squared(eight.x, eight.y, eight.z), _mm512_mul_pd(reach, reach), _CMP_LT_OQ);
     // Packed in a register and stored whole: packing into memory is far slower.
     const __m256i places = _mm256_add_epi32(_mm256_set1_epi32(static_cast<int>(next)), lanes);
     _mm256_storeu_si256(reinterpret_cast<__m256i *>(batch.place + count), _mm256_maskz_compress_epi32(hit, places));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // The state of all particles. What belongs together in the loops stands together: rows of four numbers, a vector and
-// one number beside it; what forces act on and the forces share a line of the cache. Arrays of effects that are off stay
-// empty.
+// one number beside it; what forces act on and the forces share a line of the cache. Arrays of effects that are off
+// stay empty.
 #pragma once
 
 #include "dem/base/large_array.hpp"

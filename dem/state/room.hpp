@@ -65,8 +65,7 @@ class Room {
     in_parts(threads, start_.size(), [&](int part, size_t first, size_t last) {
       Real most = 0;
       for (size_t i = first; i < last; i++) {
-        const Real way =
-            (bodies.position(i) - start_[i].template vector<D>()).squaredNorm();
+        const Real way = (bodies.position(i) - start_[i].template vector<D>()).squaredNorm();
         most = way > most ? way : most;
       }
       squares[static_cast<size_t>(part)] = static_cast<double>(most);
