@@ -51,7 +51,7 @@ void set_numbers(dem::Setup &setup) {
   setup.contact.adhesion_range = 0.01;
   setup.contact.young_modulus = 1e5;
   setup.contact.poisson_ratio = 0.3;
-  setup.impact_speed = 1;
+  setup.impact_speed = 10;
   setup.gravity[2] = -1;
   setup.viscosity = 0.01;
   setup.growth_rate = 1e-6;
@@ -79,6 +79,7 @@ dem::Setup make_system(dem::EffectSet effects, int edge) {
     setup.masses.push_back(1);
   }
   setup.time_step = dem::shortest_contact(setup).duration / 50;
+  setup.skin = 0.2;
   return setup;
 }
 

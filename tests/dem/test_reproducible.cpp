@@ -6,6 +6,7 @@
 #include "tests/support/refusal.hpp"
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -70,8 +71,35 @@ void threads_do_not_change_a_bit(void **) {
   assert_true(same_with_threads(3));
 }
 
-bool same_with_skins() {
+// Among spheres of three sizes, two of them faster than all others.
+dem::Setup mixed_setup() {
   dem::Setup setup = busy_setup(3);
+  for (size_t i = 0; i < setup.count(); i++) setup.radii[i] *= i % 3 == 0 ? 1 : i % 3 == 1 ? 0.5 : 0.2;
+  for (size_t k = 0; k < 3; k++) setup.velocities[3 * 20 + k] = setup.velocities[3 * 100 + k] = 30;
+  return setup;
+}
+
+dem::Setup growing_setup() {
+  dem::Setup setup = busy_setup(3);
+  setup.effects |= dem::kGrowth;
+  setup.growth_rate = 0.05;
+  setup.growth_end = 0.5;
+  return setup;
+}
+
+dem::Setup sheared_setup() {
+  bodies::Gas gas;
+  gas.edge = 6;
+  gas.spacing = 2.02;
+  gas.effects = dem::kShear;
+  dem::Setup setup = bodies::make_gas(gas, kSeed);
+  bodies::make_periodic(setup);
+  setup.shear_rate = 1.5;
+  bodies::set_steps_per_contact(setup, 50);
+  return setup;
+}
+
+bool same_with_skins(dem::Setup setup) {
   const dem::Snapshot without = state_after(setup, 300);
   bool same = true;
   for (const double skin : {0.01, 0.2, 1.0}) {
@@ -81,7 +109,39 @@ bool same_with_skins() {
   return same;
 }
 
-void the_skin_does_not_change_a_bit(void **) { assert_true(same_with_skins()); }
+void the_skin_does_not_change_a_bit(void **) {
+  assert_true(same_with_skins(busy_setup(3)));
+  assert_true(same_with_skins(busy_setup(2)));
+  assert_true(same_with_skins(mixed_setup()));
+  assert_true(same_with_skins(growing_setup()));
+  assert_true(same_with_skins(sheared_setup()));
+}
+
+// Narrower vectors than the machine has.
+bool same_in_plain_code(dem::Setup setup) {
+  setup.skin = 0.2;
+  const dem::Snapshot wide = state_after(setup, 300);
+  setenv("HGRID_ISA", "sse2", 1);
+  const dem::Snapshot plain = state_after(setup, 300);
+  unsetenv("HGRID_ISA");
+  return same_bits(wide, plain);
+}
+
+void vectors_do_not_change_a_bit(void **) {
+  for (const int dimension : {2, 3}) assert_true(same_in_plain_code(busy_setup(dimension)));
+  assert_true(same_in_plain_code(mixed_setup()));
+}
+
+// Candidates last for many steps, and a fast particle is met by those it reaches.
+void a_skin_saves_searches(void **) {
+  dem::Setup setup = busy_setup(3);
+  setup.skin = 0.2;
+  const auto engine = dem::make_engine(setup);
+  engine->run(300);
+  const auto searches = engine->grid_stats().search_count;
+  std::printf("%lld searches in 300 steps\n", static_cast<long long>(searches));
+  assert_true(searches > 1 && searches < 100);
+}
 
 bool same_with_levels() {
   dem::Setup setup = busy_setup(3);
@@ -195,6 +255,8 @@ int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(threads_do_not_change_a_bit),
       cmocka_unit_test(the_skin_does_not_change_a_bit),
+      cmocka_unit_test(vectors_do_not_change_a_bit),
+      cmocka_unit_test(a_skin_saves_searches),
       cmocka_unit_test(the_number_of_levels_does_not_change_a_bit),
       cmocka_unit_test(levels_below_none_are_refused),
       cmocka_unit_test(looking_does_not_change_a_bit),

@@ -47,10 +47,11 @@ LAYERS = [
     ["programs/accuracy"],
     ["programs/accuracy/search", "programs/accuracy/simulation"],
     ["programs/accuracy/report"],
+    ["examples"],
     ["programs/hgrid", "programs/bench"],
     ["tests/support"],
     ["tests/mpi"],
-    ["fuzz", "examples"],
+    ["fuzz"],
 ]
 # Clients stand on the public interface alone.
 PUBLIC_ONLY = ("mpi", "particles", "oracle", "packing", "dem", "programs", "tests/support", "fuzz", "examples")
