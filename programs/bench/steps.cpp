@@ -78,7 +78,7 @@ dem::Setup make_system(dem::EffectSet effects, int edge) {
     setup.radii.push_back(1);
     setup.masses.push_back(1);
   }
-  setup.time_step = dem::shortest_contact(setup).duration / 50;
+  setup.time_step = dem::usual_step(setup);
   setup.skin = 0.2;
   return setup;
 }
