@@ -11,8 +11,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <vector>
 
@@ -133,10 +133,9 @@ class ContactHistory {
   }
 
   static bool is_blank(const Remembered<D, Real> &contacts, size_t p) {
-    const Vec<D, Real> zero = Vec<D, Real>::Zero();
     bool blank = true;
     for (const auto &rows : contacts.rows) {
-      blank = blank && (rows.empty() || std::memcmp(rows[p].data(), zero.data(), D * sizeof(Real)) == 0);
+      for (int k = 0; k < D && !rows.empty(); k++) blank = blank && rows[p][k] == 0 && !std::signbit(rows[p][k]);
     }
     return blank;
   }
