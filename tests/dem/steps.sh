@@ -25,7 +25,7 @@ short=(--collisions 0.2 --settle-steps 200 --steps 20 --repeats 2 --skins 0.1)
 # All programs move the particles alike and keep the energy.
 "$dem" mono-1-800.toml uniform-volume-5-800.toml "${short[@]}" --csv steps.csv >out.txt 2>&1 || fault "$(cat out.txt)"
 [ "$(grep -c '^all move the particles alike$' out.txt)" = 2 ] || fault "not alike: $(cat out.txt)"
-programs="library plain"
+programs="library c-loop plain"
 case " $* " in *" lammps "*) programs="$programs lammps-bin lammps-multi" ;; esac
 for program in $programs; do
   field contestant steps.csv | grep -qx "$program" || fault "$program does not take part"

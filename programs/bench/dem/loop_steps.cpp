@@ -36,27 +36,30 @@ class LoopSteps {
     spheres_.stiffness = setup_.contact.stiffness;
     spheres_.step = setup_.time_step;
     spheres_.grid = grid_->get();
-    kick_back();
+    kick(-setup_.time_step / 2);
   }
 
   void run(uint64_t steps) {
     for (; steps > 0; steps--) hgrid::check(one_step(&spheres_));
   }
 
-  MotionState state() const {
+  MotionState state() {
     dem::Setup now = setup_;
+    kick(setup_.time_step / 2);
+    now.velocities.swap(setup_.velocities);
+    spheres_.v = setup_.velocities.data();
     dem::reorder(now, dem::inverse(order_));
     return {std::move(now.centers), std::move(now.velocities)};
   }
 
  private:
-  // Half a step of the velocities alone, by which the loop's run behind.
-  void kick_back() {
+  // The velocities alone; the loop's run half a step behind.
+  void kick(double time) {
     const std::vector<double> start = setup_.centers;
-    spheres_.step = -setup_.time_step / 2;
+    spheres_.step = time;
     hgrid::check(one_step(&spheres_));
     spheres_.step = setup_.time_step;
-    setup_.centers.assign(start.begin(), start.end());
+    std::copy(start.begin(), start.end(), setup_.centers.begin());
     grid_->move(setup_.count(), setup_.centers.data());
   }
 
