@@ -69,6 +69,7 @@ class Builder {
 
   // How many particles each level takes (Eq. 3: the finest whose cells are at least as wide), and the largest of them.
   void count(LevelPopulation &population) const {
+    population.counted = false;  // also if there is no memory
     population.level_count = index_.level_count;
     population.levels.require(static_cast<size_t>(index_.level_count));
     for (int h = 0; h < index_.insertion_levels; h++) population.radius_limit[h] = radius_limit(h);
