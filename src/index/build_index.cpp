@@ -129,7 +129,9 @@ class Builder {
   BuildScratch::Tables &tables(int h) { return scratch_.tables[static_cast<size_t>(h)]; }
 
   // Of each class its levels stand together, as the kernels want them.
-  LevelRows *levels_of(int c) { return &scratch_.level_rows[static_cast<size_t>(c * index_.insertion_levels)]; }
+  LevelRows *levels_of(int c) {
+    return scratch_.level_rows.data() + static_cast<ptrdiff_t>(c) * index_.insertion_levels;
+  }
 
   void list_level_rows() {
     scratch_.level_rows.require(static_cast<size_t>(index_.level_count));

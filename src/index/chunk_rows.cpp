@@ -37,7 +37,7 @@ void each_class(const ChunkInput &input, const ChunkRows::Sizes &sizes, const Ch
   each_part(threads, sizes.classes.end(), [&](size_t first, size_t last) {
     sizes.classes.each(first, last, [&](int c, size_t begin, size_t end) {
       ChunkInput part = input;
-      part.levels = &levels[c * sizes.insertion_levels];
+      part.levels = levels + static_cast<ptrdiff_t>(c) * sizes.insertion_levels;
       run(part, begin, end);
     });
   });
