@@ -42,7 +42,8 @@ list(JOIN HGRID_FORTRAN_INCLUDES "\n" HGRID_FORTRAN_INCLUDES)
 configure_file(cmake/hgrid_all.f90.in cmake/hgrid_all.f90 @ONLY)
 list(TRANSFORM HGRID_FORTRAN_SOURCES PREPEND bindings/fortran/ OUTPUT_VARIABLE HGRID_FORTRAN_FILES)
 if(TARGET hgrid_mpi)
-  list(APPEND HGRID_FORTRAN_FILES bindings/fortran/hgrid_mpi_c.f90 bindings/fortran/hgrid_mpi.f90)
+  list(APPEND HGRID_FORTRAN_FILES bindings/fortran/hgrid_mpi_c.f90 bindings/fortran/hgrid_mpi_particles.f90
+       bindings/fortran/hgrid_mpi.f90)
 endif()
 install(FILES ${HGRID_FORTRAN_FILES} ${PROJECT_BINARY_DIR}/cmake/hgrid_all.f90 DESTINATION ${HGRID_FORTRAN_SOURCEDIR})
 

@@ -8,6 +8,7 @@
 !> allocator hooks. Most calls are declared in the module that stands on them.
 module hgrid_c
     use hgrid_bulk
+    use hgrid_groups
     use hgrid_handle, only: c_hg_create, c_hg_destroy, c_hg_get_stats
     use hgrid_history_c
     use hgrid_particles

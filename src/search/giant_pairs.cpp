@@ -35,7 +35,7 @@ PlaceBox GiantPairs::box_of(const SearchTask &task, uint32_t i, double radius) c
 // Of its own level a giant looks only at what comes after it.
 bool GiantPairs::test(const SearchTask &task, uint32_t i, uint32_t slot, uint32_t begin, uint32_t end) {
   if (task.level == task.target && !task.images && begin <= i) begin = i + 1;
-  const int32_t *body = index_.particles.arrays(false).body;
+  const int32_t *body = particles_.body;
   const int32_t own = body != nullptr ? points_.body[i] : kNoBody;
   const Image image = points_.image != nullptr ? points_.image[i] : kNoImage;
   const uint32_t name = points_.slot[i];
