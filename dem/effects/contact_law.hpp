@@ -5,7 +5,8 @@
 // Overlap d, closing speed v = -dd'/dt < 0 while the contact opens, reduced mass mu, reduced radius R.
 //   linear         F = k d + c sqrt(mu k) v     c = -2 ln e / sqrt(pi^2 + ln^2 e): restitution e for every pair
 //   modulus        the same with k = pi E R: each particle is a column of its own section pi r^2 and length r, of
-//                  stiffness pi E r, and a contact two of them in series
+//                  stiffness pi E r, and a contact two of them in series; of two materials
+//                  k = pi / (1 / (E_a r_a) + 1 / (E_b r_b))
 //   Hertz          F = K d^1.5 + a sqrt(mu K) d^0.25 v,  K = 4/3 E* sqrt(R),  a = -sqrt5 ln e / sqrt(pi^2 + ln^2 e):
 //                  restitution e at every speed (Antypov & Elliott, EPL 94 (2011) 50004)
 //   adhesion       F = k d - F_a for d >= 0, -F_a (1 + d / h) for -h < d < 0: reversible, pull-off force F_a, range h
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace dem {
 
@@ -29,7 +31,8 @@ struct ContactLaw {
   Real friction = 0, tangential_ratio = 0;  // mu, k_t / k
   Real rolling = 0, rolling_ratio = 0;      // the same of rolling
   Real adhesion_force = 0, range = 0, inverse_range = 0;
-  Real modulus = 0;  // E* (Hertz), pi E (modulus)
+  Real modulus = 0;        // E* (Hertz), pi E (modulus)
+  Real share[2] = {1, 1};  // of 1 / r_a and 1 / r_b in what divides it (modulus, materials)
 };
 
 // How far apart surfaces still act on each other.
@@ -47,6 +50,7 @@ struct NormalContact {
   Real overlap, closing_speed;
   Real inverse_mass;    // 1/m_a + 1/m_b; 0 if neither can move
   Real inverse_radius;  // 1/r_a + 1/r_b
+  Real inverse_length;  // the same weighted by the shares of the law (modulus, materials)
 };
 
 // Normal force and what the tangential force follows.
@@ -82,7 +86,9 @@ NormalForce<Real> normal_force(const ContactLaw<Real> &law, const NormalContact<
     if constexpr (has(E, kDissipation))
       force.damping = law.damping * std::sqrt(reduced_mass(contact) * force.stiffness * (Real(2) / 3));
   } else {
-    force.stiffness = has(E, kModulus) ? law.modulus / contact.inverse_radius : law.stiffness;
+    force.stiffness = law.stiffness;
+    if constexpr (has(E, kModulus))
+      force.stiffness = law.modulus / (has(E, kMaterials) ? contact.inverse_length : contact.inverse_radius);
     force.value = force.stiffness * contact.overlap;
     if constexpr (has(E, kDissipation)) {
       force.damping = law.damping * std::sqrt(reduced_mass(contact) * (has(E, kModulus) ? force.stiffness : Real(1)));
@@ -110,62 +116,107 @@ Real elastic_energy(const ContactLaw<Real> &law, const NormalContact<Real> &cont
   return energy;
 }
 
-// 1 / E* = sum of (1 - nu^2) / E, 1 / G* = sum of (2 - nu) / G, G = E / (2 (1 + nu)). A rigid wall adds nothing.
-inline void set_moduli(const ContactParameters &p, Partner partner, double &normal, double &tangential) {
-  const auto compliance = [](double young, double poisson) { return (1 - poisson * poisson) / young; };
-  const auto shear_compliance = [](double young, double poisson) { return (2 - poisson) * 2 * (1 + poisson) / young; };
-  double sum = compliance(p.young_modulus, p.poisson_ratio);
-  double shear_sum = shear_compliance(p.young_modulus, p.poisson_ratio);
-  if (partner == Partner::kParticle) {
-    sum *= 2;
-    shear_sum *= 2;
-  } else if (p.wall_young_modulus > 0) {
-    sum += compliance(p.wall_young_modulus, p.wall_poisson_ratio);
-    shear_sum += shear_compliance(p.wall_young_modulus, p.wall_poisson_ratio);
+// The partner that a wall of no material is: of what `contact` says of walls, else rigid. A stiffness or modulus of 0
+// is rigid.
+inline ContactParameters plain_wall(const ContactParameters &p) {
+  ContactParameters wall;
+  wall.modulus = p.wall_modulus;
+  wall.young_modulus = p.wall_young_modulus;
+  wall.poisson_ratio = p.wall_poisson_ratio;
+  return wall;
+}
+
+// 1 / E* = sum of (1 - nu^2) / E, 1 / G* = sum of (2 - nu) / G, G = E / (2 (1 + nu)). A rigid partner adds nothing.
+inline void set_moduli(const ContactParameters &a, const ContactParameters &b, double &normal, double &tangential) {
+  double sum = 0, shear_sum = 0;
+  for (const ContactParameters *p : {&a, &b}) {
+    if (p->young_modulus == 0) continue;
+    const double poisson = p->poisson_ratio;
+    sum += (1 - poisson * poisson) / p->young_modulus;
+    shear_sum += (2 - poisson) * 2 * (1 + poisson) / p->young_modulus;
   }
   normal = 1 / sum;
   tangential = 1 / shear_sum;
 }
 
-// Of the linear contact of two particles.
-inline double linear_stiffness(const Physics &physics, double radius, double other) {
-  const ContactParameters &p = physics.contact;
-  return has(physics.effects, kModulus) ? kPi * p.modulus / (1 / radius + 1 / other) : p.stiffness;
+// Of two springs: 1 / k the mean of 1 / k_a and 1 / k_b, k where both are k to the last bit; a rigid b adds nothing.
+inline double paired_stiffness(double a, double b) { return b > 0 ? a * (2 * b / (a + b)) : a; }
+
+// Of the linear contact of two particles of one material.
+inline double linear_stiffness(EffectSet effects, const ContactParameters &p, double radius, double other) {
+  return has(effects, kModulus) ? kPi * p.modulus / (1 / radius + 1 / other) : p.stiffness;
 }
 
+// The law of particles of material a with partners of b; `both`: the numbers that they share.
 template <class Real>
-ContactLaw<Real> make_law(const Physics &physics, Partner partner) {
-  const ContactParameters &p = physics.contact;
+ContactLaw<Real> make_law(EffectSet effects, const ContactParameters &a, const ContactParameters &b,
+                          const ContactParameters &both, Partner partner) {
   ContactLaw<Real> law;
-  const double log_e = has(physics.effects, kDissipation) ? std::log(p.restitution) : 0;
+  const double log_e = has(effects, kDissipation) ? std::log(both.restitution) : 0;
   const double loss = -log_e / std::sqrt(kPi * kPi + log_e * log_e);
-  if (has(physics.effects, kHertz)) {
+  law.damping = static_cast<Real>(2 * loss);
+  law.tangential_ratio = static_cast<Real>(both.tangential_stiffness);
+  if (has(effects, kHertz)) {
     double normal = 0, tangential = 0;
-    set_moduli(p, partner, normal, tangential);
+    set_moduli(a, b, normal, tangential);
     law.modulus = static_cast<Real>(normal);
     law.damping = static_cast<Real>(std::sqrt(5.0) * loss);
     // k_t / k_n at any overlap: 8 G* a over 2 E* a.
     law.tangential_ratio = static_cast<Real>(4 * tangential / normal);
-  } else if (has(physics.effects, kModulus)) {
+  } else if (has(effects, kModulus) && partner == Partner::kWall) {
     // Of a wall, the column under the particle: as wide and as long.
-    const bool yields = partner == Partner::kWall && p.wall_modulus > 0;
-    law.modulus = static_cast<Real>(kPi / (1 / p.modulus + (yields ? 1 / p.wall_modulus : 0)));
-    law.damping = static_cast<Real>(2 * loss);
-    law.tangential_ratio = static_cast<Real>(p.tangential_stiffness);
+    law.modulus = static_cast<Real>(kPi / (1 / a.modulus + (b.modulus > 0 ? 1 / b.modulus : 0)));
+  } else if (has(effects, kModulus)) {
+    // 1 / (E_a r_a) + 1 / (E_b r_b) = (share_a / r_a + share_b / r_b) / E.
+    law.modulus = static_cast<Real>(kPi / (1 / paired_stiffness(a.modulus, b.modulus)));
+    law.share[0] = static_cast<Real>(2 * b.modulus / (a.modulus + b.modulus));
+    law.share[1] = static_cast<Real>(2 * a.modulus / (a.modulus + b.modulus));
   } else {
-    law.stiffness = static_cast<Real>(p.stiffness);
-    law.damping = static_cast<Real>(2 * loss * std::sqrt(p.stiffness));
-    law.tangential_ratio = static_cast<Real>(p.tangential_stiffness);
+    const double stiffness = paired_stiffness(a.stiffness, b.stiffness);
+    law.stiffness = static_cast<Real>(stiffness);
+    law.damping = static_cast<Real>(2 * loss * std::sqrt(stiffness));
   }
-  law.friction = static_cast<Real>(p.friction);
-  law.rolling = static_cast<Real>(p.rolling_friction);
-  law.rolling_ratio = static_cast<Real>(p.rolling_stiffness);
-  if (has(physics.effects, kAdhesion)) {
-    law.adhesion_force = static_cast<Real>(p.adhesion_force);
-    law.range = static_cast<Real>(p.adhesion_range);
-    law.inverse_range = static_cast<Real>(1 / p.adhesion_range);
+  law.friction = static_cast<Real>(both.friction);
+  law.rolling = static_cast<Real>(both.rolling_friction);
+  law.rolling_ratio = static_cast<Real>(both.rolling_stiffness);
+  if (has(effects, kAdhesion)) {
+    law.adhesion_force = static_cast<Real>(both.adhesion_force);
+    law.range = static_cast<Real>(both.adhesion_range);
+    law.inverse_range = static_cast<Real>(1 / both.adhesion_range);
   }
   return law;
 }
+
+// All laws of a scene: one, or that of particles of material a with partners of b.
+template <class Real>
+class LawTable {
+ public:
+  LawTable(const Physics &physics, Partner partner) {
+    const ContactParameters &all = physics.contact;
+    const ContactParameters plain = partner == Partner::kWall ? plain_wall(all) : all;
+    if (!has(physics.effects, kMaterials)) {
+      laws_.push_back(make_law<Real>(physics.effects, all, plain, all, partner));
+      return;
+    }
+    const std::vector<Material> &materials = physics.materials;
+    width_ = materials.size() + 1;
+    for (size_t a = 0; a < materials.size(); a++) {
+      for (size_t b = 0; b < width_; b++) {
+        const ContactParameters &other = b < materials.size() ? materials[b].contact : plain;
+        laws_.push_back(make_law<Real>(physics.effects, materials[a].contact, other,
+                                       physics.pairs[physics.pair_of(a, b)], partner));
+      }
+    }
+  }
+
+  // With one law for all: that one, whatever a and b.
+  const ContactLaw<Real> &at(size_t a, size_t b) const { return laws_[width_ > 0 ? a * width_ + b : 0]; }
+  const std::vector<ContactLaw<Real>> &all() const { return laws_; }
+  size_t width() const { return width_; }
+
+ private:
+  std::vector<ContactLaw<Real>> laws_;
+  size_t width_ = 0;
+};
 
 }  // namespace dem

@@ -6,7 +6,10 @@
 // this effect needs stay empty. What there is to say about each effect stands in table.hpp.
 #pragma once
 
+#include <cstddef>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace dem {
 
@@ -21,9 +24,10 @@ enum Effect : unsigned {
   kShear = 1u << 6,        // Lees-Edwards: the images along y move along x
   kWalls = 1u << 7,        // at least one axis ends in walls
   kGravity = 1u << 8,
-  kDrag = 1u << 9,     // Stokes drag of a fluid at rest
-  kGrowth = 1u << 10,  // radii grow with time
-  kModulus = 1u << 11  // linear springs whose stiffness follows from a modulus and the sizes
+  kDrag = 1u << 9,       // Stokes drag of a fluid at rest
+  kGrowth = 1u << 10,    // radii grow with time
+  kModulus = 1u << 11,   // linear springs whose stiffness follows from a modulus and the sizes
+  kMaterials = 1u << 12  // particles and walls of several materials
 };
 using EffectSet = unsigned;
 
@@ -49,6 +53,13 @@ struct ContactParameters {
   double wall_poisson_ratio = 0;
 };
 
+// What a partner of contacts is made of: of the numbers those count that a material has (table.hpp).
+struct Material {
+  std::string name;
+  double density = 0;  // 0: not given
+  ContactParameters contact;
+};
+
 // What acts on particles, in any consistent units. Members of effects that are off mean nothing. What holds here at
 // first is what a scene gets that says nothing.
 struct Physics {
@@ -62,6 +73,14 @@ struct Physics {
   double shear_rate = 0;          // du_x / dy (shear)
   double impact_speed = 0;        // the fastest approach, for the time step; 0: by the energy at the start
                                   // (hertz, adhesion)
+
+  // Several materials in place of `contact` (materials).
+  std::vector<Material> materials;
+  std::vector<ContactParameters> pairs;              // what two partners share: pairs[pair_of(a, b)]
+  int wall_materials[6] = {-1, -1, -1, -1, -1, -1};  // by wall; -1: as `contact` says of walls
+
+  // Of a particle of material a with material b; b = materials.size() stands for walls of no material.
+  size_t pair_of(size_t a, size_t b) const { return a * (materials.size() + 1) + b; }
 };
 
 }  // namespace dem

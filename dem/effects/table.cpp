@@ -80,6 +80,8 @@ void check_physics(const Physics &physics) {
     if (!fault.empty()) throw Error(std::string(row.name) + " " + fault);
   }
   for (const Parameter &parameter : kParameters) {
+    const bool several = has(physics.effects, kMaterials);
+    if (several && (parameter.in_material != nullptr || parameter.in_pair != nullptr)) continue;
     const std::string fault = is_on(parameter.effect, physics.effects) ? fault_of(parameter, physics) : "";
     if (!fault.empty()) throw Error(std::string(table_of(parameter.effect)) + "." + parameter.key + " " + fault);
   }

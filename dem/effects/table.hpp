@@ -83,6 +83,7 @@ constexpr EffectRow kEffects[] = {
     {kShear, "shear", "Lees-Edwards shear along x with the gradient along y, both periodic", kInImages | kStateful,
      nullptr, kPeriodic, 0, "it moves the images", fault_of_shear},
     {kWalls, "walls", nullptr, kInFloat},
+    {kMaterials, "materials", nullptr, kInContacts},
 };
 
 // In place of an effect: the linear contacts of one stiffness of a scene without other ones.
@@ -98,6 +99,8 @@ struct Parameter {
   Range range;
   const char *meaning;
   Place place;
+  // Its key where each material, or each pair of materials, has a number of its own; null: there is one for all.
+  const char *in_material = nullptr, *in_pair = nullptr;
 
   bool needed() const { return std::string_view(fallback).substr(0, 6) == "needed"; }
 };
@@ -108,23 +111,24 @@ constexpr const char *kNeeded = "needed",
 
 constexpr Parameter kParameters[] = {
     {kLinear, "stiffness", unit::kStiffness, "needed, or modulus", kPositive,
-     "k of the force k d at overlap d, the same for all sizes", &ContactParameters::stiffness},
+     "k of the force k d at overlap d, the same for all sizes", &ContactParameters::stiffness, "stiffness"},
     {kModulus, "modulus", unit::kPressure, "needed, or stiffness", kPositive,
-     "E: k = pi E r_a r_b / (r_a + r_b), of a rigid wall pi E r", &ContactParameters::modulus},
+     "E: k = pi E r_a r_b / (r_a + r_b), of a rigid wall pi E r", &ContactParameters::modulus, "modulus"},
     {kModulus, "wall_modulus", unit::kPressure, "rigid", kNotNegative, "of the walls (with modulus)",
      &ContactParameters::wall_modulus},
     {kDissipation, "restitution", unit::kPure, kNeeded, kRestitution, "e of every collision, 0 < e <= 1",
-     &ContactParameters::restitution},
+     &ContactParameters::restitution, nullptr, "restitution"},
     {kGravity, "acceleration", unit::kAcceleration, kNeeded, kAny, "of free fall", &Physics::gravity},
     {kFriction, "coefficient", unit::kPure, kNeeded, kNotNegative, "tangential over normal force at most",
-     &ContactParameters::friction},
+     &ContactParameters::friction, nullptr, "friction"},
     {kFriction, "stiffness", unit::kPure, "2/7", kPositive, "of the tangential spring over the normal one (linear)",
      &ContactParameters::tangential_stiffness},
     {kRolling, "coefficient", unit::kPure, kNeeded, kNotNegative, "rolling over normal force at most",
-     &ContactParameters::rolling_friction},
+     &ContactParameters::rolling_friction, nullptr, "rolling"},
     {kRolling, "stiffness", unit::kPure, "2/7", kPositive, "of the rolling spring over the normal one",
      &ContactParameters::rolling_stiffness},
-    {kAdhesion, "force", unit::kForce, kNeeded, kNotNegative, "the pull-off force", &ContactParameters::adhesion_force},
+    {kAdhesion, "force", unit::kForce, kNeeded, kNotNegative, "the pull-off force", &ContactParameters::adhesion_force,
+     nullptr, "adhesion"},
     {kAdhesion, "range", unit::kLength, kNeeded, kPositive, "gap of the surfaces at which attraction ends",
      &ContactParameters::adhesion_range},
     {kAdhesion, "impact_speed", unit::kVelocity, kByEnergy, kNotNegative, kImpactMeaning, &Physics::impact_speed},
@@ -135,8 +139,9 @@ constexpr Parameter kParameters[] = {
      &Physics::growth_rate},
     {kGrowth, "end", unit::kTime, "never", kAny, "when growth stops", &Physics::growth_end},
     {kHertz, "young_modulus", unit::kPressure, kNeeded, kPositive, "of the particles",
-     &ContactParameters::young_modulus},
-    {kHertz, "poisson_ratio", unit::kPure, kNeeded, kPoisson, "of the particles", &ContactParameters::poisson_ratio},
+     &ContactParameters::young_modulus, "young_modulus"},
+    {kHertz, "poisson_ratio", unit::kPure, kNeeded, kPoisson, "of the particles", &ContactParameters::poisson_ratio,
+     "poisson_ratio"},
     {kHertz, "wall_young_modulus", unit::kPressure, "rigid", kNotNegative, "of the walls",
      &ContactParameters::wall_young_modulus},
     {kHertz, "wall_poisson_ratio", unit::kPure, "0", kPoisson, "of the walls", &ContactParameters::wall_poisson_ratio},
@@ -152,8 +157,9 @@ constexpr EffectSet effects_with(Role role) {
   return set;
 }
 constexpr EffectSet kContactEffects = effects_with(kInContacts), kBodyEffects = effects_with(kOnBodies),
-                    kImageEffects = effects_with(kInImages), kPairEffects = kContactEffects | kImageEffects,
-                    kMotionEffects = kBodyEffects | effects_with(kInMotion);
+                    kImageEffects = effects_with(kInImages),
+                    // Batches bring nearest images; only the speed of images is left to pairs.
+    kPairEffects = kContactEffects | kShear, kMotionEffects = kBodyEffects | effects_with(kInMotion);
 
 // Whether a set has a meaning, and so kernels, as far as those among `known` can tell.
 constexpr bool is_possible(EffectSet set, EffectSet known = ~0u) {
@@ -200,7 +206,7 @@ std::string tables_of(EffectSet set);
 std::string fault_of(const EffectRow &row, const Physics &physics);
 std::string fault_of(const Parameter &parameter, const Physics &physics);
 
-// Throws Error naming the effect or number that is at fault.
+// Throws Error naming the effect or number that is at fault. With several materials their numbers are theirs.
 void check_physics(const Physics &physics);
 
 }  // namespace dem

@@ -31,6 +31,8 @@ Spring spring_of(const ContactLaw<double> &law, const NormalContact<double> &con
   return {force.value, elastic_energy<E>(law, contact, force), force.stiffness, force.damping};
 }
 
+size_t material_of(const Snapshot &state, size_t i) { return state.material_ids.empty() ? 0 : state.material_ids[i]; }
+
 template <int D>
 void measure_particles(const Setup &setup, const Snapshot &state, Measurement &result) {
   Vector<D> momentum = Vector<D>::Zero();
@@ -76,7 +78,7 @@ Spring add_contact(const Setup &setup, const ContactLaw<double> &law, const Cont
 template <int D>
 void measure_pairs(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
                    const ContactState<D> &contacts, std::vector<LoadedContact<D>> &loaded, Measurement &result) {
-  const auto law = make_law<double>(setup, Partner::kParticle);
+  const LawTable<double> laws(setup, Partner::kParticle);
   const auto nearest = choose<kImageEffects, double>(
       setup.effects, [](auto set) { return &Boundary<D, double>::template nearest<decltype(set)::value>; });
   for (size_t p = 0; p < contacts.list.size(); p++) {
@@ -87,12 +89,15 @@ void measure_pairs(const Setup &setup, const Boundary<D, double> &boundary, cons
     (boundary.*nearest)(separation);
     Vector<D> normal;
     const double distance = normalize<D>(separation, normal), overlap = state.radii[a] + state.radii[b] - distance;
+    const ContactLaw<double> &law = laws.at(material_of(state, a), material_of(state, b));
     const NormalContact<double> contact{overlap, 0, 1 / state.masses[a] + 1 / state.masses[b],
-                                        1 / state.radii[a] + 1 / state.radii[b]};
+                                        1 / state.radii[a] + 1 / state.radii[b],
+                                        law.share[0] / state.radii[a] + law.share[1] / state.radii[b]};
     const double smaller = std::min(state.radii[a], state.radii[b]);
     const Spring spring = add_contact<D>(setup, law, contacts, p, contact, smaller, result);
     result.virial += spring.force * distance;
-    loaded.push_back({a, b, normal, spring.stiffness, spring.damping, 1 / contact.inverse_radius});
+    loaded.push_back({a, b, normal, spring.stiffness, spring.damping, law.tangential_ratio, law.rolling_ratio,
+                      1 / contact.inverse_radius});
     if (overlap > 0) result.contacts++;
   }
 }
@@ -100,16 +105,17 @@ void measure_pairs(const Setup &setup, const Boundary<D, double> &boundary, cons
 template <int D>
 void measure_walls(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
                    const ContactState<D> &contacts, std::vector<LoadedContact<D>> &loaded, Measurement &result) {
-  const auto law = make_law<double>(setup, Partner::kWall);
+  const LawTable<double> laws(setup, Partner::kWall);
   for (size_t p = 0; p < contacts.list.size(); p++) {
     const auto i = static_cast<size_t>(contacts.list[p].a);
     const int32_t wall = contacts.list[p].b;
     const double x = state.centers[i * D + static_cast<size_t>(axis_of(wall))];
+    const ContactLaw<double> &law = laws.at(material_of(state, i), boundary.materials[wall]);
     const NormalContact<double> contact{wall_overlap(boundary, x, state.radii[i], wall), 0, 1 / state.masses[i],
-                                        1 / state.radii[i]};
+                                        1 / state.radii[i], 1 / state.radii[i]};
     const Spring spring = add_contact<D>(setup, law, contacts, p, contact, state.radii[i], result);
-    loaded.push_back(
-        {i, LoadedContact<D>::kWall, Vector<D>::Unit(axis_of(wall)), spring.stiffness, spring.damping, state.radii[i]});
+    loaded.push_back({i, LoadedContact<D>::kWall, Vector<D>::Unit(axis_of(wall)), spring.stiffness, spring.damping,
+                      law.tangential_ratio, law.rolling_ratio, state.radii[i]});
     if (contact.overlap > 0) result.wall_contacts++;
     if (contact.overlap > state.radii[i]) result.behind_walls++;
   }

@@ -46,8 +46,8 @@ Simulation<D, Real>::Simulation(const Setup &setup, std::vector<uint32_t> places
       threads_(usable_threads(setup.threads)),
       boundary_(make_boundary<D, Real>(setup)),
       body_force_(make_body_force<D, Real>(setup)),
-      pair_law_(make_law<Real>(setup, Partner::kParticle)),
-      wall_law_(make_law<Real>(setup, Partner::kWall)),
+      pair_laws_(setup, Partner::kParticle),
+      wall_laws_(setup, Partner::kWall),
       batch_filler_(find_batch_filler<D, Real>(setup.effects)),
       pair_kernel_(find_pair_kernel<D, Real>(setup.effects)),
       wall_kernel_(find_wall_kernel<D, Real>(setup.effects)),
@@ -76,6 +76,7 @@ void Simulation<D, Real>::require_speed() const {
 template <int D, class Real>
 void Simulation<D, Real>::load_bodies(const Setup &setup) {
   bodies_.resize(setup.count(), setup.effects);
+  if (has(setup.effects, kMaterials)) bodies_.materials = setup.material_ids;
   const auto lead = static_cast<Real>(setup.scheme.shared_drift * setup.time_step);
   for (size_t i = 0; i < setup.count(); i++) {
     bodies_.velocity(i) = vector_at<Vec<D, double>>(setup.velocities, i).template cast<Real>();
@@ -159,7 +160,7 @@ template <int D, class Real>
 void Simulation<D, Real>::find_forces() {
   if (forces_known_) return;
   find_pairs();
-  const ContactTask<D, Real> of_walls = task_of(wall_law_), of_pairs = task_of(pair_law_);
+  const ContactTask<D, Real> of_walls = task_of(wall_laws_), of_pairs = task_of(pair_laws_);
   std::vector<size_t> found(shares_.of_thread.size());
   in_parts(threads_, shares_.of_thread.size(), [&](int, size_t first, size_t last) {
     for (size_t k = first; k < last; k++) {
@@ -177,8 +178,13 @@ void Simulation<D, Real>::find_forces() {
 }
 
 template <int D, class Real>
-ContactTask<D, Real> Simulation<D, Real>::task_of(const ContactLaw<Real> &law) {
-  return {&bodies_,     &boundary_, &law, static_cast<Real>(last_drift_), static_cast<Real>(contact_range(setup_)),
+ContactTask<D, Real> Simulation<D, Real>::task_of(const LawTable<Real> &laws) {
+  return {&bodies_,
+          &boundary_,
+          laws.all().data(),
+          laws.width(),
+          static_cast<Real>(last_drift_),
+          static_cast<Real>(contact_range(setup_)),
           batch_filler_};
 }
 

@@ -45,10 +45,12 @@ class Simulation final : public Engine {
   // Lists of the pairs and walls that may touch, for the present places.
   void find_pairs();
   void find_forces();
-  ContactTask<D, Real> task_of(const ContactLaw<Real> &law);
+  ContactTask<D, Real> task_of(const LawTable<Real> &laws);
   void advance(const Stage &stage);
   double grow();
   void cross_sheared_faces();
+
+  void restore_materials(const Checkpoint &checkpoint);
 
   // The state at the time of the step, in the order of the arrays; centres not yet brought into the box.
   Snapshot state_now();
@@ -62,7 +64,7 @@ class Simulation final : public Engine {
   Bodies<D, Real> bodies_;
   Boundary<D, Real> boundary_;
   BodyForce<D, Real> body_force_;
-  ContactLaw<Real> pair_law_, wall_law_;
+  LawTable<Real> pair_laws_, wall_laws_;
   BatchFiller<D, Real> batch_filler_;
   ContactKernel<D, Real> pair_kernel_, wall_kernel_;
   MotionKernel<D, Real> motion_kernel_;

@@ -5,6 +5,7 @@
 #include "dem/effects/choice.hpp"
 #include "dem/engine/measure.hpp"
 #include "dem/engine/simulation.hpp"
+#include "dem/setup/materials.hpp"
 #include "dem/setup/space_order.hpp"
 
 #include <algorithm>
@@ -78,6 +79,7 @@ Snapshot Simulation<D, Real>::state_now() {
   state.dimension = D;
   state.time = time();
   state.image_offset = image_offset();
+  state.material_ids = bodies_.materials;
   const AccelerationKernel<D, Real> acceleration = find_acceleration<D, Real>(setup_.effects);
   for (size_t i = 0; i < bodies_.count(); i++) {
     const Vec<D, Real> v = bodies_.velocity(i) + kick * acceleration(bodies_, body_force_, i);
@@ -151,6 +153,11 @@ void Simulation<D, Real>::save(Checkpoint &checkpoint) const {
     for (size_t i = 0; i < count; i++) numbers.insert(numbers.end(), numbers_of(i), numbers_of(i) + width);
     checkpoint.put(name, numbers);
   });
+  if (has(setup_.effects, kMaterials)) {
+    checkpoint.put("materials", bodies_.materials);
+    const std::string names = names_of(setup_.materials);
+    checkpoint.put("material names", names.data(), names.size());
+  }
   pair_history_.save("pair", pairs_, checkpoint);
   wall_history_.save("wall", walls(), checkpoint);
 }
@@ -175,6 +182,7 @@ void Simulation<D, Real>::restore(const Checkpoint &checkpoint) {
     throw Error("the checkpoint was made with the time step " + text(print.time_step) + ", the scene has " +
                 text(setup_.time_step));
   }
+  if (has(setup_.effects, kMaterials)) restore_materials(checkpoint);
   steps_ = checkpoint.get_value<uint64_t>("steps");
   forces_known_ = checkpoint.get_value<uint64_t>("forces known") != 0;
   last_drift_ = checkpoint.get_value<double>("last drift");
@@ -187,6 +195,16 @@ void Simulation<D, Real>::restore(const Checkpoint &checkpoint) {
   wall_history_.restore("wall", checkpoint);
   radii_new_ = true;
   room_.forget();
+}
+
+// Numbers of materials mean the same only where they have the same names in the same order.
+template <int D, class Real>
+void Simulation<D, Real>::restore_materials(const Checkpoint &checkpoint) {
+  std::vector<char> stored;
+  checkpoint.get_all("material names", stored);
+  const std::string names(stored.begin(), stored.end()), own = names_of(setup_.materials);
+  if (names != own) throw Error("the checkpoint has the materials " + names + ", the scene has " + own);
+  checkpoint.get("materials", bodies_.materials);
 }
 
 #define DEM_INSTANTIATE(D, Real)                                         \

@@ -8,8 +8,6 @@
 // the ratio of sizes, neither a giant with thousands of small neighbours nor these get far too large a share.
 #include "dem/engine/step_load.hpp"
 
-#include "dem/effects/contact_law.hpp"
-
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -22,10 +20,7 @@ template <int D, bool turns>
 class Network {
  public:
   Network(const Setup &setup, const Snapshot &state)
-      : setup_(&setup),
-        state_(&state),
-        law_(make_law<double>(setup, Partner::kParticle)),
-        blocks_(state.count(), Block::Zero()) {}
+      : setup_(&setup), state_(&state), blocks_(state.count(), Block::Zero()) {}
 
   // The end of a contact at `body`, `out` of which the normal points; mass_ratio is its mass over its partner's.
   void add(const LoadedContact<D> &contact, size_t body, double mass_ratio, const Vec<D, double> &out) {
@@ -44,11 +39,11 @@ class Network {
         slide.template bottomRows<kSpin>().col(k) =
             std::sqrt(inverse_shape(D)) * moment<D, double>(out, Vec<D, double>(along.col(k)));
       }
-      block += law_.tangential_ratio * strength * slide * slide.transpose();
+      block += contact.tangential_ratio * strength * slide * slide.transpose();
       slide.template topRows<D>().setZero();
       const double lever = contact.reduced_radius / state_->radii[body];
       if (has(setup_->effects, kRolling))
-        block += law_.rolling_ratio * strength * lever * lever * slide * slide.transpose();
+        block += contact.rolling_ratio * strength * lever * lever * slide * slide.transpose();
     }
   }
 
@@ -68,7 +63,6 @@ class Network {
 
   const Setup *setup_;
   const Snapshot *state_;
-  ContactLaw<double> law_;
   std::vector<Block> blocks_;
 };
 

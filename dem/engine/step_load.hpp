@@ -19,6 +19,7 @@ struct LoadedContact {
   size_t a, b;
   Vec<D, double> normal;  // from a to b
   double stiffness, damping;
+  double tangential_ratio, rolling_ratio;  // of the springs along the surfaces
   double reduced_radius;
 };
 

@@ -18,11 +18,28 @@ template <int D, class Real>
 struct ContactTask {
   Bodies<D, Real> *bodies;
   const Boundary<D, Real> *boundary;
-  const ContactLaw<Real> *law;
+  const ContactLaw<Real> *laws;  // one for all; of materials a and b: [a * law_row + b]
+  size_t law_row;
   Real step;                                  // the time since the forces were last computed
   Real range;                                 // how far surfaces act beyond touching
   BatchFiller<D, Real> fill_batch = nullptr;  // of two particles
 };
+
+// The law of particle i with another, or with a wall whose materials the boundary knows.
+template <EffectSet E, int D, class Real>
+const ContactLaw<Real> &pair_law(const ContactTask<D, Real> &task, [[maybe_unused]] size_t i,
+                                 [[maybe_unused]] size_t other) {
+  if constexpr (has(E, kMaterials))
+    return task.laws[task.bodies->materials[i] * task.law_row + task.bodies->materials[other]];
+  return *task.laws;
+}
+template <EffectSet E, int D, class Real>
+const ContactLaw<Real> &wall_law(const ContactTask<D, Real> &task, [[maybe_unused]] size_t i,
+                                 [[maybe_unused]] int32_t wall) {
+  if constexpr (has(E, kMaterials))
+    return task.laws[task.bodies->materials[i] * task.law_row + task.boundary->materials[wall]];
+  return *task.laws;
+}
 
 // Pairs of a list, what the contacts among them remember, and the particles that get forces.
 template <int D, class Real>

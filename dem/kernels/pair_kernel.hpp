@@ -19,11 +19,14 @@ template <EffectSet E, int D, class Real>
 inline PairForce<D, Real> pair_force(const ContactTask<D, Real> &task, const ContactBatch<Real> &batch,
                                      History<D, Real> *history, size_t p, size_t a, size_t b) {
   const Bodies<D, Real> &bodies = *task.bodies;
+  const ContactLaw<Real> &law = pair_law<E>(task, a, b);
   Contact<D, Real> contact;
   for (int axis = 0; axis < D; axis++) contact.normal[axis] = batch.normal[axis][p];
   contact.overlap = batch.touching[p] - batch.distance[p];
   if constexpr (has(E, kNeedMass)) contact.inverse_mass = bodies.inverse_mass(a) + bodies.inverse_mass(b);
   if constexpr (has(E, kNeedRadius)) contact.inverse_radius = 1 / bodies.radius(a) + 1 / bodies.radius(b);
+  if constexpr (has(E, kModulus) && has(E, kMaterials))
+    contact.inverse_length = law.share[0] / bodies.radius(a) + law.share[1] / bodies.radius(b);
   if constexpr (has(E, kNeedVelocity)) {
     contact.velocity = bodies.velocity(a) - bodies.velocity(b);
     if constexpr (has(E, kShear)) contact.velocity[0] -= batch.image_speed[p];
@@ -33,7 +36,7 @@ inline PairForce<D, Real> pair_force(const ContactTask<D, Real> &task, const Con
   [[maybe_unused]] const Real arm_b = bodies.radius(b) - contact.overlap / 2;
   if constexpr (has(E, kFriction)) contact.turning = arm_a * bodies.spin(a) + arm_b * bodies.spin(b);
   if constexpr (has(E, kRolling)) contact.spin = bodies.spin(a) - bodies.spin(b);
-  const ContactForce<D, Real> on_a = contact_force<E>(*task.law, contact, history, task.step, batch.place[p]);
+  const ContactForce<D, Real> on_a = contact_force<E>(law, contact, history, task.step, batch.place[p]);
   PairForce<D, Real> result;
   result.force = on_a.force;
   if constexpr (has(E, kFriction)) {

@@ -20,11 +20,13 @@ bool wall_force(const ContactTask<D, Real> &task, const PairRun<D, Real> &run, s
   contact.normal[axis_of(wall)] = is_upper(wall) ? Real(1) : Real(-1);
   if constexpr (has(E, kNeedMass)) contact.inverse_mass = bodies.inverse_mass(i);
   if constexpr (has(E, kNeedRadius)) contact.inverse_radius = 1 / bodies.radius(i);
+  if constexpr (has(E, kModulus) && has(E, kMaterials)) contact.inverse_length = contact.inverse_radius;
   if constexpr (has(E, kNeedVelocity)) contact.velocity = bodies.velocity(i);
   [[maybe_unused]] const Real arm = bodies.radius(i) - contact.overlap;
   if constexpr (has(E, kFriction)) contact.turning = arm * bodies.spin(i);
   if constexpr (has(E, kRolling)) contact.spin = bodies.spin(i);
-  const ContactForce<D, Real> on_body = contact_force<E>(*task.law, contact, run.history, task.step, p);
+  const ContactForce<D, Real> on_body =
+      contact_force<E>(wall_law<E>(task, i, wall), contact, run.history, task.step, p);
   bodies.force(i) += on_body.force;
   if constexpr (has(E, kFriction)) bodies.torque(i) += arm * on_body.moment;
   if constexpr (has(E, kRolling)) bodies.torque(i) += on_body.rolling;

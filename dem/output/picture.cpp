@@ -38,6 +38,8 @@ particles::ParticleSet picture_of(const dem::Setup &setup, uint64_t step, dem::S
   set.columns.push_back({"velocity", 3, particles::in_three_dimensions(std::move(state.velocities), state.dimension)});
   set.columns.push_back({"mass", 1, std::move(state.masses)});
   if (!state.spins.empty()) set.columns.push_back({"spin", 3, spin_vectors(state)});
+  if (!state.material_ids.empty())
+    set.columns.push_back({"material", 1, {state.material_ids.begin(), state.material_ids.end()}});
   set.centers = std::move(state.centers);
   set.radii = std::move(state.radii);
   return set;

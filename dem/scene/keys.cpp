@@ -52,13 +52,28 @@ std::vector<TableDoc> with_effects(std::vector<TableDoc> tables) {
   return tables;
 }
 
+// What materials, and pairs of them, have instead of one number for all.
+std::vector<Key> with_materials(std::vector<Key> keys) {
+  const std::pair<const char *, const char * dem::Parameter::*> tables[] = {{"material", &dem::Parameter::in_material},
+                                                                            {"pair", &dem::Parameter::in_pair}};
+  for (const auto &[table, key] : tables) {
+    for (const dem::Parameter &parameter : dem::kParameters) {
+      if (parameter.*key == nullptr) continue;
+      const std::string all = std::string("[") + table_of(parameter.effect) + "]";
+      keys.push_back({table, parameter.*key, Kind::kNumber, parameter.unit, kept("that of " + all),
+                      kept("instead of the " + std::string(parameter.key) + " of " + all)});
+    }
+  }
+  return keys;
+}
+
 std::vector<Key> with_effects(std::vector<Key> keys) {
   constexpr Kind kKinds[] = {Kind::kNumber, Kind::kNumber, Kind::kVector, Kind::kText};  // by alternative of Place
   for (const dem::Parameter &parameter : dem::kParameters) {
     keys.push_back({table_of(parameter.effect), parameter.key, kKinds[parameter.place.index()], parameter.unit,
                     parameter.fallback, parameter.meaning});
   }
-  return keys;
+  return with_materials(std::move(keys));
 }
 
 }  // namespace
@@ -69,6 +84,8 @@ const std::vector<TableDoc> &all_tables() {
       {"particles", "particles, as an array of tables [[particles]]; each names one source: file, pack, lattice or at"},
       {"particles.pack", "a packing made on the spot, as by hgrid pack"},
       {"particles.lattice", "a lattice"},
+      {"material", "materials, as an array of tables [[material]]; without any all is of the numbers in other tables"},
+      {"pair", "what two materials share, as an array of tables [[pair]]; particles and walls alike"},
       {"box", "the box; without it that of the pack or file, else none"},
       {dem::kLinearName, "linear elastic contacts; needed unless there is [hertz]"},
       {"time", "how far and in what steps"},
@@ -88,6 +105,7 @@ const std::vector<Key> &all_keys() {
        {"particles", "radius", Kind::kNumber, kLength, "needed for at and lattice",
         "of all particles of the group; of the smallest particle of a pack (1; table: as in it)"},
        {"particles", "density", Kind::kNumber, kDensity, "1", "of the material; per area in two dimensions (kg/m^2)"},
+       {"particles", "material", Kind::kText, kPure, "needed with [[material]]", "its name"},
        {"particles", "velocity", Kind::kVector, kVelocity, "0",
         "of all particles of the group; added to those of a file"},
        {"particles", "spin", Kind::kVector, kSpin, "0",
@@ -114,9 +132,13 @@ const std::vector<Key> &all_keys() {
        {"particles.lattice", "jitter", Kind::kNumber, kLength, "0", "largest random shift along each axis"},
        {"particles.lattice", "seed", Kind::kCount, kPure, "1", "of the shifts"},
 
+       {"material", "name", Kind::kText, kPure, "needed", "for groups of particles, the box and pairs"},
+       {"material", "density", Kind::kNumber, kDensity, "that of the groups", "per area in two dimensions (kg/m^2)"},
+       {"pair", "materials", Kind::kTexts, kPure, "needed", "the names of two, or twice that of one"},
        {"box", "min", Kind::kVector, kLength, "0", "lower corner"},
        {"box", "max", Kind::kVector, kLength, "needed", "upper corner"},
        {"box", "walls", Kind::kText, kPure, "all axes that are not periodic", "axes with walls at both ends, e.g. xz"},
+       {"box", "material", Kind::kText, kPure, "none: walls as [contact] or [hertz] says", "of the walls, its name"},
 
        {"time", "end", Kind::kNumber, kTime, "needed, or steps", "when the simulation ends"},
        {"time", "steps", Kind::kCount, kPure, "by end", "number of steps instead of end"},

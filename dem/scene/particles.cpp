@@ -6,7 +6,9 @@
 #include "dem/base/error.hpp"
 #include "dem/base/vector.hpp"
 #include "dem/effects/contact_law.hpp"
+#include "dem/scene/materials.hpp"
 #include "dem/scene/sources.hpp"
+#include "dem/setup/materials.hpp"
 #include "packing/random.hpp"
 
 #include <algorithm>
@@ -25,8 +27,21 @@ double volume(double radius, int dimension) {
 // flux-weighted mean speed sqrt(pi kT / m) and overlap by that times sqrt(m / (2 k)).
 double temperature_of_overlap(const Table &table, const dem::Setup &setup, double overlap, double smallest) {
   if (has(setup.effects, dem::kHertz)) table.fail("overlap", "is for linear contacts: give a temperature");
+  const int material = material_in(table, setup);
+  const dem::ContactParameters &p =
+      material < 0 ? setup.contact : setup.materials[static_cast<size_t>(material)].contact;
   const double depth = overlap * smallest;
-  return 2 * dem::linear_stiffness(setup, smallest, smallest) * depth * depth / kPi;
+  return 2 * dem::linear_stiffness(setup.effects, p, smallest, smallest) * depth * depth / kPi;
+}
+
+// Of the group, or of its material.
+double density_of(const Table &table, const dem::Setup &setup, int material) {
+  const double own = material < 0 ? 0 : setup.materials[static_cast<size_t>(material)].density;
+  if (own > 0 && table.has("density")) table.fail("density", "stands in the material of the group");
+  if (own > 0) return own;
+  const double density = table.number("density", 1, Unit{-setup.dimension, 0, 1});
+  if (!(density > 0)) table.fail("density", dem::text(density) + " is not above 0");
+  return density;
 }
 
 // Adds velocities of this temperature to the particles from `first` on, and takes out the drift of the group.
@@ -79,9 +94,11 @@ particles::ParticleSet add_particles(const Table &table, const std::string &fold
   if (set.count() == 0) table.fail("file", "there is no particle in this group");
   const auto dimension = static_cast<size_t>(setup.dimension);
   const size_t first = setup.count(), spin_size = dimension == 3 ? 3 : 1;
-  const Unit density_unit{-setup.dimension, 0, 1};
-  const double density = table.number("density", 1, density_unit);
-  if (!(density > 0)) table.fail("density", dem::text(density) + " is not above 0");
+  const int material = material_in(table, setup);
+  if (has(setup.effects, dem::kMaterials) && material < 0) {
+    table.fail("material", "each group of a scene with [[material]] names one: " + dem::names_of(setup.materials));
+  }
+  const double density = density_of(table, setup, material);
   const bool fixed = table.flag("fixed", false);
   const std::vector<double> velocity = table.vector("velocity", dimension, 0),
                             spin = table.vector("spin", spin_size, 0);
@@ -95,6 +112,7 @@ particles::ParticleSet add_particles(const Table &table, const std::string &fold
     append_motion(set, "velocity", k, velocity, setup.velocities);
     if (has(setup.effects, dem::kFriction)) append_motion(set, "spin", k, spin, setup.spins);
   }
+  if (material >= 0) setup.material_ids.resize(setup.count(), static_cast<uint8_t>(material));
   setup.centers.insert(setup.centers.end(), set.centers.begin(), set.centers.end());
   set_temperature(table, first, setup);
   const bool has_spin = std::any_of(set.columns.begin(), set.columns.end(),

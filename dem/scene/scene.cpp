@@ -5,6 +5,7 @@
 
 #include "dem/base/error.hpp"
 #include "dem/scene/effect_tables.hpp"
+#include "dem/scene/materials.hpp"
 #include "dem/scene/particles.hpp"
 #include "dem/scene/table.hpp"
 #include "dem/setup/time_step.hpp"
@@ -50,6 +51,7 @@ void read_box(const Table &top, const std::vector<particles::ParticleSet> &sourc
     for (size_t axis = 0; axis < dimension; axis++) setup.walled[axis] = bounded && !setup.periodic[axis];
   }
   if (setup.walled[0] || setup.walled[1] || setup.walled[2]) setup.effects |= dem::kWalls;
+  if (box) std::fill(std::begin(setup.wall_materials), std::end(setup.wall_materials), material_in(*box, setup));
 }
 
 void read_run(const Table &top, Scene &scene) {
@@ -132,6 +134,7 @@ Scene read_scene(const std::string &path) {
   if (dimension != 2 && dimension != 3) top.fail("dimension", "is 2 or 3, not " + std::to_string(dimension));
   scene.setup.dimension = static_cast<int>(dimension);
   read_effects(top, scene.setup);
+  read_materials(top, scene.setup);
   const std::vector<Table> groups = top.parts("particles");
   if (groups.empty()) top.fail("particles", "a scene needs at least one table [[particles]]");
   const std::string folder = std::filesystem::path(path).parent_path().string();
@@ -141,6 +144,7 @@ Scene read_scene(const std::string &path) {
   for (const particles::ParticleSet &source : sources)
     scene.unused.insert(scene.unused.end(), source.unused.begin(), source.unused.end());
   read_box(top, sources, scene.setup);
+  settle_materials(top, scene.setup);
   add_shear_profile(scene.setup);
   read_run(top, scene);
   read_time(top, scene);

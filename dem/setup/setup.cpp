@@ -5,6 +5,7 @@
 
 #include "dem/base/error.hpp"
 #include "dem/effects/table.hpp"
+#include "dem/setup/materials.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,7 @@ void check_particles(const Setup &setup) {
   require_length("velocities", setup.velocities.size(), dimension * setup.count());
   require_length("masses", setup.masses.size(), setup.count());
   if (!setup.spins.empty()) require_length("spins", setup.spins.size(), spin_size * setup.count());
+  require_length("materials", setup.material_ids.size(), has(setup.effects, kMaterials) ? setup.count() : 0);
   require_finite("the centre", setup.centers, dimension);
   require_finite("the velocity", setup.velocities, dimension);
   require_finite("the spin", setup.spins, spin_size);
@@ -78,6 +80,7 @@ void check_setup(const Setup &setup) {
   check_physics(setup);
   check_particles(setup);
   check_axes(setup);
+  if (has(setup.effects, kMaterials)) check_materials(setup);
   if (setup.level_count < 0) throw Error("the number of levels is " + std::to_string(setup.level_count) + ", below 0");
   if (!(setup.skin >= 0)) throw Error("the skin is 0 or above, not " + text(setup.skin));
 }

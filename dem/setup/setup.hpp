@@ -7,6 +7,7 @@
 #include "dem/setup/scheme.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace dem {
@@ -17,6 +18,7 @@ struct ParticleArrays {
   std::vector<double> centers, velocities;  // [count][dimension]
   std::vector<double> radii, masses;        // [count], > 0; masses may be kImmovable
   std::vector<double> spins;                // [count][3] in three dimensions, [count] in two; empty: at rest (friction)
+  std::vector<uint8_t> material_ids;        // [count], places in Physics::materials (materials)
 
   size_t count() const { return radii.size(); }
 };

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The contact that is over soonest, of any two particles or of one with a wall: what time steps are reckoned from.
+// The contacts that are over soonest, of any two particles or of one with a wall: what time steps are reckoned from.
 #pragma once
 
 #include "dem/setup/setup.hpp"
+
+#include <vector>
 
 namespace dem {
 
@@ -21,9 +23,14 @@ struct ShortestContact {
 //   modulus  w^2 = pi E r / m of the particle for which that is largest: no pair has more, a pair of two such has it
 //   Hertz    w^2 = 15/8 (v / d)^2, t_c = 2.943275 d / v without dissipation, d = (15 mu v^2 / (16 E* sqrt(R)))^(2/5)
 //   adhesion crossing = h / sqrt(v^2 + F_a h / mu)
+// Of two materials the lightest and stiffest of either count; walls have contacts of their own if they have materials.
 // v is the fastest approach: the impact speed if it is given, else (2 fastest at the start)^2 + 2 g x (the box along
 // g). If the tangential spring is stiffer than the normal one, its swing counts. Throws Error if Hertz contacts come
 // without any speed.
+//
+// Of each two materials, and of each material with a wall; at least one.
+std::vector<ShortestContact> shortest_contacts(const Setup &setup);
+// The shortest of them.
 ShortestContact shortest_contact(const Setup &setup);
 
 // How much more the springs of a crowd of contacts, each pointing anywhere, pull on a particle that slides or turns

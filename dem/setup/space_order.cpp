@@ -13,10 +13,11 @@ namespace {
 
 constexpr int kBits = 21;  // per axis: three fit into a word
 
-void reorder_rows(std::vector<double> &rows, const std::vector<uint32_t> &order) {
+template <class Item>
+void reorder_rows(std::vector<Item> &rows, const std::vector<uint32_t> &order) {
   if (rows.empty()) return;
   const size_t width = rows.size() / order.size();
-  std::vector<double> result;
+  std::vector<Item> result;
   result.reserve(rows.size());
   for (const uint32_t i : order) {
     const auto row = rows.begin() + static_cast<ptrdiff_t>(i * width);
@@ -62,6 +63,7 @@ void reorder(ParticleArrays &particles, const std::vector<uint32_t> &order) {
        {&particles.centers, &particles.velocities, &particles.radii, &particles.masses, &particles.spins}) {
     reorder_rows(*rows, order);
   }
+  reorder_rows(particles.material_ids, order);
 }
 
 std::vector<uint32_t> inverse(const std::vector<uint32_t> &order) {

@@ -36,10 +36,13 @@ StepLimit contact_limit(const Setup &setup, const ShortestContact &contact) {
 }  // namespace
 
 StepLimit step_limit(const Setup &setup) {
-  const ShortestContact contact = shortest_contact(setup);
-  StepLimit limit = contact_limit(setup, contact);
-  lower(limit, contact.crossing / kFewestStepsInRange,
-        "surfaces cross the range of adhesion within " + text(contact.crossing));
+  StepLimit limit;
+  for (const ShortestContact &contact : shortest_contacts(setup)) {
+    const StepLimit of_contact = contact_limit(setup, contact);
+    lower(limit, of_contact.longest, of_contact.reason);
+    lower(limit, contact.crossing / kFewestStepsInRange,
+          "surfaces cross the range of adhesion within " + text(contact.crossing));
+  }
   if (has(setup.effects, kDrag)) {
     double fastest = 0;  // how fast drag slows a particle
     for (size_t i = 0; i < setup.count(); i++) {
@@ -51,9 +54,10 @@ StepLimit step_limit(const Setup &setup) {
 }
 
 double usual_step(const Setup &setup) {
-  const ShortestContact contact = shortest_contact(setup);
-  return std::min(
-      {contact.duration / kUsualStepsPerContact, contact.crossing / kUsualStepsInRange, step_limit(setup).longest});
+  double usual = step_limit(setup).longest;
+  for (const ShortestContact &contact : shortest_contacts(setup))
+    usual = std::min({usual, contact.duration / kUsualStepsPerContact, contact.crossing / kUsualStepsInRange});
+  return usual;
 }
 
 void require_time_step(const Setup &setup) {
@@ -68,16 +72,16 @@ void require_time_step(const Setup &setup) {
 }
 
 double fastest_allowed(const Setup &setup) {
-  const ShortestContact contact = shortest_contact(setup);
-  double fastest = kInfinity;
-  // All times of Hertz contacts go as v^(-1/5).
-  if (has(setup.effects, kHertz) && contact.speed > 0) {
-    fastest = contact.speed * std::pow(contact_limit(setup, contact).longest / setup.time_step, 5);
+  double fastest = kInfinity, sinking = 0;
+  for (const ShortestContact &contact : shortest_contacts(setup)) {
+    // All times of Hertz contacts go as v^(-1/5).
+    if (has(setup.effects, kHertz) && contact.speed > 0) {
+      fastest = std::min(fastest, contact.speed * std::pow(contact_limit(setup, contact).longest / setup.time_step, 5));
+    }
+    if (contact.crossing < kInfinity) sinking = std::max(sinking, contact.sinking);
   }
-  if (has(setup.effects, kAdhesion) && contact.crossing < kInfinity) {
-    // Within contacts adhesion makes particles faster than they ever cross its range, in pockets of several still more.
-    fastest = setup.contact.adhesion_range / (kFewestStepsInRange * setup.time_step) + 2 * contact.sinking;
-  }
+  // Within contacts adhesion makes particles faster than they ever cross its range, in pockets of several still more.
+  if (sinking > 0) fastest = setup.contact.adhesion_range / (kFewestStepsInRange * setup.time_step) + 2 * sinking;
   return fastest;
 }
 

@@ -10,6 +10,7 @@
 #include "dem/effects/effects.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace dem {
@@ -41,6 +42,7 @@ struct Bodies {
   LargeArray<Row<Real>> places;    // centre and radius
   LargeArray<Course<Real>> moves;  // velocity and inverse mass (0: moves as at the start, whatever pushes); force
   LargeArray<Course<Real>> turns;  // spin; torque (friction only)
+  std::vector<uint8_t> materials;  // (materials)
 
   static constexpr int kDimension = D, kSpin = Spin<D, Real>::RowsAtCompileTime;
 
@@ -66,9 +68,12 @@ struct Bodies {
     places.resize(count);
     moves.resize(count);
     if (has(effects, kFriction)) turns.resize(count);
+    if (has(effects, kMaterials)) materials.resize(count);
   }
 
-  size_t bytes() const { return sizeof(Row<Real>) * count() + sizeof(Course<Real>) * (moves.size() + turns.size()); }
+  size_t bytes() const {
+    return sizeof(Row<Real>) * count() + sizeof(Course<Real>) * (moves.size() + turns.size()) + materials.size();
+  }
 
   // 1 / I from 1 / m.
   Real inverse_inertia(size_t i) const { return Real(inverse_shape(D)) * inverse_mass(i) / (radius(i) * radius(i)); }

@@ -31,6 +31,7 @@ struct Boundary {
   Real offset = 0;                                     // Lees-Edwards: how far the images above have moved along x
   Real jump = 0;                                       // and how fast they move
   bool walled[D] = {};
+  uint8_t materials[2 * D] = {};  // of the walls; one more than the last: none (materials)
 
   // Brings the separation of two particles to their nearest images; returns the speed along x that the second particle
   // gains with its image.
@@ -65,6 +66,10 @@ Real wall_overlap(const Boundary<D, Real> &boundary, Real x, Real radius, int32_
 template <int D, class Real>
 Boundary<D, Real> make_boundary(const Setup &setup) {
   Boundary<D, Real> boundary;
+  for (int wall = 0; wall < 2 * D; wall++) {
+    const int material = setup.wall_materials[wall];
+    boundary.materials[wall] = static_cast<uint8_t>(material < 0 ? setup.materials.size() : material);
+  }
   for (int axis = 0; axis < D; axis++) {
     boundary.low[axis] = static_cast<Real>(setup.box_min[axis]);
     boundary.high[axis] = static_cast<Real>(setup.box_max[axis]);

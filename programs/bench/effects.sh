@@ -46,7 +46,7 @@ echo
 echo "effects that are on, per particle and step (3 contacts per particle, shortest time of five):"
 printf '%-42s %12s %8s %8s\n' effects instructions ns bytes
 for effects in none walls periodic periodic,shear dissipation hertz adhesion friction friction,rolling \
-  gravity drag growth dissipation,friction,rolling,gravity,walls; do
+  gravity drag growth materials dissipation,materials dissipation,friction,rolling,gravity,walls; do
   count=$(per_particle_step "$build/bin/hgrid_steps" "$effects")
   for repeat in 1 2 3 4 5; do
     "$build/bin/hgrid_steps" "$effects" 40 20 >"$work/out"

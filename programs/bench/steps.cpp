@@ -78,6 +78,11 @@ dem::Setup make_system(dem::EffectSet effects, int edge) {
     setup.radii.push_back(1);
     setup.masses.push_back(1);
   }
+  if (dem::has(effects, dem::kMaterials)) {  // four of the same numbers, mixed
+    setup.materials.assign(4, {"m", 1, setup.contact});
+    setup.pairs.assign(20, setup.contact);
+    for (size_t i = 0; i < setup.count(); i++) setup.material_ids.push_back(static_cast<uint8_t>(i * 7 % 11 % 4));
+  }
   setup.time_step = dem::usual_step(setup);
   setup.skin = 0.2;
   return setup;

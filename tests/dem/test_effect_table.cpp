@@ -12,7 +12,7 @@
 
 namespace {
 
-constexpr dem::EffectSet kAll = (1u << 12) - 1;
+constexpr dem::EffectSet kAll = (1u << 13) - 1;
 
 // Two particles in contact, with every number that any of the effects asks for.
 dem::Setup setup_of(dem::EffectSet effects, int dimension) {
@@ -45,6 +45,11 @@ dem::Setup setup_of(dem::EffectSet effects, int dimension) {
   velocity[0] = 1;
   bodies::add(setup, center, velocity, 1, 1);
   bodies::add(setup, other, std::vector<double>(size, 0), 1, 1);
+  if (dem::has(effects, dem::kMaterials)) {
+    setup.materials.assign(2, {"m", 1, setup.contact});
+    setup.pairs.assign(6, setup.contact);
+    setup.material_ids = {0, 1};
+  }
   setup.time_step = 1e-3;
   return setup;
 }
@@ -96,8 +101,8 @@ void states_in_float_have_some_effects(void **) {
 
 // The bits are those of checkpoints, and no two effects share one.
 void bits_and_names_stay(void **) {
-  const char *names[] = {"dissipation", "friction", "rolling", "adhesion", "hertz",  "periodic",
-                         "shear",       "walls",    "gravity", "drag",     "growth", "modulus"};
+  const char *names[] = {"dissipation", "friction", "rolling", "adhesion", "hertz",   "periodic", "shear",
+                         "walls",       "gravity",  "drag",    "growth",   "modulus", "materials"};
   dem::EffectSet bit = 1;
   for (const char *name : names) {
     assert_true(dem::names_of(bit) == name);

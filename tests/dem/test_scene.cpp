@@ -3,13 +3,12 @@
 // Scene files: what they mean, and what is refused with which words.
 #include "dem/effects/table.hpp"
 #include "dem/scene/keys.hpp"
-#include "dem/scene/scene.hpp"
 #include "dem/scene/suggestion.hpp"
 #include "dem/scene/units.hpp"
 #include "packing/size_law.hpp"
+#include "tests/dem/scene_text.hpp"
 #include "tests/particles/page.hpp"
 #include "tests/support/frame.h"
-#include "tests/support/refusal.hpp"
 
 #include <unistd.h>
 
@@ -22,45 +21,10 @@
 
 namespace {
 
-const std::string kBasic =
-    "title = \"t\"\n"
-    "[[particles]]\n"
-    "at = [[0, 0, 0], [3, 0, 0]]\n"
-    "radius = 1\n"
-    "[contact]\n"
-    "stiffness = 1e4\n"
-    "[time]\n"
-    "steps = 10\n";
-
-std::string write_file(const std::string &text) {
-  std::string path =
-      (std::filesystem::temp_directory_path() / ("hgrid-test-scene-" + std::to_string(getpid()) + ".toml")).string();
-  std::ofstream(path) << text;
-  return path;
-}
-
-scene::Scene read(const std::string &text) {
-  const std::string path = write_file(text);
-  scene::Scene result = scene::read_scene(path);
-  std::filesystem::remove(path);
-  return result;
-}
-
-// What is said about a faulty scene, without the folder.
-std::string error_of(const std::string &text) {
-  const std::string path = write_file(text);
-  std::string what = test::error_of([&] { scene::read_scene(path); });
-  if (what.compare(0, path.size(), path) == 0) what.erase(0, path.size());
-  std::filesystem::remove(path);
-  return what;
-}
-
-bool is_refused(const std::string &text, const std::string &start, const std::string &part = "") {
-  const std::string what = error_of(text);
-  const bool fits = what.compare(0, start.size(), start) == 0 && what.find(part) != std::string::npos;
-  if (!fits) std::printf("refused with: %s\n", what.c_str());
-  return fits;
-}
+using scene_text::error_of;
+using scene_text::is_refused;
+using scene_text::kBasic;
+using scene_text::read;
 
 void unknown_keys_are_refused_with_line_and_suggestion(void **) {
   assert_true(is_refused(kBasic + "[gravty]\nacceleration = [0, 0, 1]\n", ":9: 'gravty' is no key", "'gravity'?"));
