@@ -50,9 +50,6 @@ install(FILES ${HGRID_FORTRAN_FILES} ${PROJECT_BINARY_DIR}/cmake/hgrid_all.f90 D
 get_target_property(HGRID_LIBRARY_TYPE hgrid TYPE)
 # Whoever links the static library must add the C++ runtime that the shared one brings along.
 set(HGRID_RUNTIME_LIBS "-lstdc++ -lm -pthread")
-if(HGRID_THREADS)
-  string(APPEND HGRID_RUNTIME_LIBS " -lgomp")
-endif()
 configure_package_config_file(
   cmake/hgridConfig.cmake.in cmake/hgridConfig.cmake
   INSTALL_DESTINATION ${HGRID_PACKAGE_DIR}

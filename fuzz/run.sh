@@ -23,7 +23,7 @@ mkdir -p "$build"
 {
   cmake -S . -B "$build" -G Ninja -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++ \
     -DCMAKE_BUILD_TYPE=RelWithDebInfo -DHGRID_BUILD_FUZZERS=ON -DHGRID_SANITIZE=address,undefined \
-    -DBUILD_SHARED_LIBS=OFF -DHGRID_OPENMP=OFF -DHGRID_BUILD_TESTS=ON -DHGRID_BUILD_FORTRAN=OFF \
+    -DBUILD_SHARED_LIBS=OFF -DHGRID_THREADS=OFF -DHGRID_BUILD_TESTS=ON -DHGRID_BUILD_FORTRAN=OFF \
     -DHGRID_BUILD_PYTHON=OFF -DHGRID_BUILD_BENCH=OFF -DHGRID_INSTALL=OFF &&
     cmake --build "$build" --target "${targets[@]/#/fuzz_}"
 } >"$build/build.log" 2>&1 || { cat "$build/build.log" >&2 && exit 1; }

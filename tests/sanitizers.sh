@@ -23,5 +23,5 @@ build_and_run() {
 
 build_and_run asan-ubsan '^(tests/(unit|api|hard_cases)/|fuzz/fuzz_replay_(grid|csv|lammps|xyz|data|vtp|vtk)$)' \
   -L 'unit|api|hard_cases|fuzz' -E '^fuzz\.(scene|checkpoint)$'
-build_and_run tsan '/(test_build|test_last_error|hard_cases.processes)$' \
-  -R '^(test_build|test_last_error|hard_cases.processes)$'
+build_and_run tsan '/(test_build|test_last_error|hard_cases.processes|unit_parallel)$' \
+  -R '^(test_build|test_last_error|hard_cases.processes|unit.parallel)$'

@@ -43,7 +43,7 @@ template <int D, class Real>
 Simulation<D, Real>::Simulation(const Setup &setup, std::vector<uint32_t> places)
     : setup_(without_particles(setup)),
       places_(std::move(places)),
-      threads_(usable_threads(setup.threads)),
+      threads_(hg::usable_threads(setup.threads)),
       boundary_(make_boundary<D, Real>(setup)),
       body_force_(make_body_force<D, Real>(setup)),
       pair_laws_(setup, Partner::kParticle),

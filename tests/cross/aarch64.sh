@@ -7,11 +7,11 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 for needed in /usr/bin/aarch64-linux-gnu-g++ /usr/bin/qemu-aarch64 /usr/lib/aarch64-linux-gnu/libcmocka.so \
-  /usr/lib/aarch64-linux-gnu/libgmpxx.so /usr/lib/aarch64-linux-gnu/libgomp.so.1; do
+  /usr/lib/aarch64-linux-gnu/libgmpxx.so; do
   if [[ ! -e $needed ]]; then
     echo "$needed is missing. As root:" >&2
     echo "  dpkg --add-architecture arm64 && apt-get update" >&2
-    echo "  apt-get install g++-aarch64-linux-gnu qemu-user libcmocka-dev:arm64 libgmp-dev:arm64 libgomp1:arm64" >&2
+    echo "  apt-get install g++-aarch64-linux-gnu qemu-user libcmocka-dev:arm64 libgmp-dev:arm64" >&2
     exit 1
   fi
 done

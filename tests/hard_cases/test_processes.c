@@ -69,7 +69,7 @@ TEST(a_forked_child_has_the_grid) {
   hg_destroy(grid);
 }
 
-/* The threads that searched for the parent do not exist in the child. */
+/* The threads that searched for the parent do not exist in the child, which makes its own. */
 TEST(a_forked_child_searches_without_the_parents_threads) {
   hg_grid *grid = make_lattice(2);
   assert_true(has_all_pairs(grid));

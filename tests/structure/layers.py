@@ -15,6 +15,7 @@ import sys
 # From the bottom to the top. What stands in one entry may not include each other.
 LAYERS = [
     ["include"],
+    ["threads"],
     ["src/base"],
     ["src/exact"],
     ["src/space"],
