@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace dem {
 
@@ -21,6 +22,33 @@ struct Snapshot : ParticleArrays {
   int dimension = 3;
   double time = 0;
   double image_offset = 0;  // how far the images above have moved along x (shear)
+};
+
+// Averages over the box, of components xx, yy, zz, xy, xz, yz; pressing counts as positive.
+struct Bulk {
+  double stress[6]{}, kinetic_stress[6]{};  // all of it, and what particles carry that move against the mean flow
+  double pressure = 0;                      // the mean of the first ones of the stress
+  double fabric[6]{};                       // mean of n n over the contacts of particles: its trace is 1
+  double coordination = 0;                  // contacts per particle that is free to move
+  double backbone = 0;                      // the same without rattlers, and contacts with them
+  size_t rattlers = 0;
+  double temperature = 0;  // mean square of the velocity against the mean flow, per component, by mass
+};
+
+// Energy that has left or entered since the work has been counted.
+struct Work {
+  double dashpot = 0, friction = 0, rolling = 0, drag = 0;  // dissipated
+  double input = 0;                                         // put in by images and fixed particles that move
+
+  double dissipated() const { return dashpot + friction + rolling + drag; }
+};
+
+// Where a contact is and what it bears.
+struct ContactLine {
+  double from[3]{}, to[3]{};  // the centres, the second one of the image that the first meets; or a point of a wall
+  int64_t a = 0, b = 0;       // particles in the order of the setup; b is -1 for walls
+  double overlap = 0;
+  double normal = 0, tangential = 0;  // forces; normal ones that push apart are positive
 };
 
 // Sums over all particles and contacts at the time of a step.
@@ -36,8 +64,12 @@ struct Measurement {
   size_t behind_walls = 0;                 // centres
   double virial = 0;                       // sum over pairs of (elastic force x distance of the centres)
   double step_load = 0;  // of the present contacts on the time step: below 1 it is stable (step_load.hpp)
+  Bulk bulk;
+  Work work;  // 0 unless it is counted
 
   double energy() const { return translation + rotation + contact + gravity; }
+  // Stays as it is but for the errors of the time step.
+  double balance() const { return energy() + work.dissipated() - work.input; }
 };
 
 class Engine {
@@ -49,9 +81,15 @@ class Engine {
 
   virtual void run(uint64_t steps) = 0;
 
-  // Both leave the further course as it is, to the last bit.
+  // All leave the further course as it is, to the last bit.
   virtual Measurement measure() = 0;
   virtual Snapshot snapshot() = 0;
+
+  virtual std::vector<ContactLine> contacts() = 0;  // those that overlap, by a and b; a is before b
+
+  // From now on, and in steps that take longer. Throws Error where no work is counted: with schemes other than
+  // velocity Verlet, and with growth.
+  virtual void count_work() = 0;
 
   virtual uint64_t steps_done() const = 0;
   virtual double time() const = 0;

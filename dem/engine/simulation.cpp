@@ -110,6 +110,7 @@ void Simulation<D, Real>::run(uint64_t steps) {
       find_forces();
       Stage stage = setup_.scheme.stages[k];
       if (steps_ == 0 && k == 0) stage.kick -= setup_.scheme.shared_kick;
+      if (counts_work_) tally(stage.kick * setup_.time_step);
       advance(stage);
     }
     steps_++;
@@ -238,7 +239,12 @@ void Simulation<D, Real>::cross_sheared_faces() {
     if (crossed != 0) {
       x[1] -= crossed * boundary_.period[1];
       x[0] -= crossed * offset;
+      const Real speed = bodies_.velocity(i)[0];
       bodies_.velocity(i)[0] -= crossed * boundary_.jump;
+      if (counts_work_ && bodies_.inverse_mass(i) > 0) {
+        const Real faster = bodies_.velocity(i)[0];
+        work_.input += 0.5 * static_cast<double>((faster - speed) * (faster + speed) / bodies_.inverse_mass(i));
+      }
     }
     x[0] -= boundary_.period[0] * std::floor((x[0] - boundary_.low[0]) * boundary_.inverse_period[0]);
   }

@@ -3,6 +3,7 @@
 // The engine of one dimension and precision: the order of work within a step.
 #pragma once
 
+#include "dem/engine/contact_loads.hpp"
 #include "dem/engine/engine.hpp"
 #include "dem/kernels/contact_kernel.hpp"
 #include "dem/kernels/motion_kernel.hpp"
@@ -26,6 +27,8 @@ class Simulation final : public Engine {
   void run(uint64_t steps) override;
   Measurement measure() override;
   Snapshot snapshot() override;
+  std::vector<ContactLine> contacts() override;
+  void count_work() override;
 
   uint64_t steps_done() const override { return steps_; }
   double time() const override { return static_cast<double>(steps_) * setup_.time_step; }
@@ -52,8 +55,15 @@ class Simulation final : public Engine {
 
   void restore_materials(const Checkpoint &checkpoint);
 
-  // The state at the time of the step, in the order of the arrays; centres not yet brought into the box.
+  // The state at the time of the step, in the order of the arrays; centres not yet brought into the box. Half kicks
+  // need the forces of the positions.
   Snapshot state_now();
+  // The same with velocities advanced by `kick`: those that the forces see by 0.
+  Snapshot state_after(double kick) const;
+  double lag() const;  // of velocities behind positions
+  std::vector<ContactLoad<D>> loads_of(const Snapshot &lagging);
+  void bring_into_box(Snapshot &state) const;
+  void tally(double kick);
 
   double position_time() const;
   double image_offset() const;
@@ -82,6 +92,8 @@ class Simulation final : public Engine {
   uint64_t steps_ = 0;
   double last_drift_ = 0;  // time between the present forces and those before
   bool forces_known_ = false, radii_new_ = false;
+  bool counts_work_ = false;
+  Work work_;  // of all kicks so far
 };
 
 }  // namespace dem

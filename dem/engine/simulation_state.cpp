@@ -5,6 +5,7 @@
 #include "dem/effects/choice.hpp"
 #include "dem/engine/measure.hpp"
 #include "dem/engine/simulation.hpp"
+#include "dem/engine/work.hpp"
 #include "dem/setup/materials.hpp"
 #include "dem/setup/space_order.hpp"
 
@@ -69,15 +70,23 @@ struct Fingerprint {
 }  // namespace
 
 template <int D, class Real>
+double Simulation<D, Real>::lag() const {
+  return steps_ > 0 ? setup_.scheme.shared_kick * setup_.time_step : 0;
+}
+
+template <int D, class Real>
 Snapshot Simulation<D, Real>::state_now() {
-  // Half kicks need the forces of the positions.
-  const bool lags = setup_.scheme.shared_kick != 0 && steps_ > 0;
-  if (lags) find_forces();
-  const auto kick = static_cast<Real>(lags ? setup_.scheme.shared_kick * setup_.time_step : 0);
+  if (lag() != 0) find_forces();
+  return state_after(lag());
+}
+
+template <int D, class Real>
+Snapshot Simulation<D, Real>::state_after(double time) const {
+  const auto kick = static_cast<Real>(time);
   const auto lead = static_cast<Real>(setup_.scheme.shared_drift * setup_.time_step);
   Snapshot state;
   state.dimension = D;
-  state.time = time();
+  state.time = this->time();
   state.image_offset = image_offset();
   state.material_ids = bodies_.materials;
   const AccelerationKernel<D, Real> acceleration = find_acceleration<D, Real>(setup_.effects);
@@ -97,9 +106,7 @@ Snapshot Simulation<D, Real>::state_now() {
 }
 
 template <int D, class Real>
-Snapshot Simulation<D, Real>::snapshot() {
-  Snapshot state = state_now();
-  reorder(state, places_);
+void Simulation<D, Real>::bring_into_box(Snapshot &state) const {
   for (size_t i = 0; i < state.radii.size(); i++) {
     for (size_t axis = 0; axis < D; axis++) {
       if (!setup_.periodic[axis]) continue;
@@ -109,21 +116,27 @@ Snapshot Simulation<D, Real>::snapshot() {
       if (!(x < setup_.box_max[axis])) x = low;  // a tiny negative distance rounds to a whole length
     }
   }
+}
+
+template <int D, class Real>
+Snapshot Simulation<D, Real>::snapshot() {
+  Snapshot state = state_now();
+  reorder(state, places_);
+  bring_into_box(state);
   return state;
 }
 
 template <int D, class Real>
-Measurement Simulation<D, Real>::measure() {
-  const Snapshot state = state_now();
+std::vector<ContactLoad<D>> Simulation<D, Real>::loads_of(const Snapshot &lagging) {
   Boundary<D, double> boundary = make_boundary<D, double>(setup_);
   boundary.offset = image_offset();
   if (setup_.scheme.shared_drift == 0) {
     find_pairs();
-    ContactState<D> of_pairs = pairs_in<D>(setup_, boundary, state, pairs_);
-    ContactState<D> of_walls = walls_in<D>(setup_, boundary, state, walls());
+    ContactState<D> of_pairs = pairs_in<D>(setup_, boundary, lagging, pairs_);
+    ContactState<D> of_walls = walls_in<D>(setup_, boundary, lagging, walls());
     add_history(pair_history_, pairs_, of_pairs);
     add_history(wall_history_, walls(), of_walls);
-    return measure_state<D>(setup_, boundary, state, of_pairs, of_walls);
+    return contact_loads<D>(setup_, boundary, lagging, of_pairs, of_walls);
   }
   // Positions are ahead of the step: its contacts are others than those of the forces, and remember nothing.
   room_.forget();
@@ -131,15 +144,74 @@ Measurement Simulation<D, Real>::measure() {
     return hg_array{first, static_cast<int64_t>(width * sizeof(double)), HG_REAL64, 0};
   };
   hg_array centers[3];
-  for (size_t k = 0; k < D; k++) centers[k] = column(state.centers.data() + k, D);
+  for (size_t k = 0; k < D; k++) centers[k] = column(lagging.centers.data() + k, D);
   pairs_ = search_.find(centers, nullptr, image_offset());
   std::vector<hg_pair> listed;
   const WallReach<D, double> reach(boundary, contact_range(setup_) + slack_);
-  for (size_t i = 0; i < state.radii.size(); i++) {
-    reach.list(vector_at<Vec<D, double>>(state.centers, i), state.radii[i], i, listed);
+  for (size_t i = 0; i < lagging.radii.size(); i++) {
+    reach.list(vector_at<Vec<D, double>>(lagging.centers, i), lagging.radii[i], i, listed);
   }
-  return measure_state<D>(setup_, boundary, state, pairs_in<D>(setup_, boundary, state, pairs_),
-                          walls_in<D>(setup_, boundary, state, {listed.data(), listed.size()}));
+  return contact_loads<D>(setup_, boundary, lagging, pairs_in<D>(setup_, boundary, lagging, pairs_),
+                          walls_in<D>(setup_, boundary, lagging, {listed.data(), listed.size()}));
+}
+
+template <int D, class Real>
+Measurement Simulation<D, Real>::measure() {
+  const Snapshot state = state_now(), lagging = state_after(0);
+  const std::vector<ContactLoad<D>> loads = loads_of(lagging);
+  Measurement result = measure_state<D>(setup_, state, loads);
+  if (!counts_work_) return result;
+  result.work = work_;
+  add(result.work, power_of<D>(setup_, lagging, state, loads), lag());
+  result.work = without_springs<D>(result.work, loads);
+  return result;
+}
+
+template <int D, class Real>
+void Simulation<D, Real>::count_work() {
+  const Scheme &scheme = setup_.scheme;
+  if (scheme.name != velocity_verlet().name) throw Error("work is not counted with the scheme " + scheme.name);
+  if (has(setup_.effects, kGrowth)) throw Error("work is not counted with growth: that of growing is not known");
+  counts_work_ = true;
+  // What springs along the surfaces hold by now is not dissipated yet, and is found when it is.
+  if (steps_ > 0) add(work_, without_springs<D>({}, loads_of(state_after(0))), -1);
+}
+
+// What the forces of this step do while velocities advance by `kick`.
+template <int D, class Real>
+void Simulation<D, Real>::tally(double kick) {
+  const Snapshot state = state_now(), lagging = state_after(0);
+  add(work_, power_of<D>(setup_, lagging, state, loads_of(lagging)), kick);
+}
+
+template <int D, class Real>
+std::vector<ContactLine> Simulation<D, Real>::contacts() {
+  state_now();  // the forces of the positions
+  Snapshot state = state_after(0);
+  const std::vector<ContactLoad<D>> loads = loads_of(state);
+  bring_into_box(state);
+  const std::vector<uint32_t> given = inverse(places_);
+  std::vector<ContactLine> lines;
+  for (const ContactLoad<D> &load : loads) {
+    if (!(load.overlap > 0)) continue;
+    const bool wall = load.b == ContactLoad<D>::kWall, turned = !wall && given[load.a] > given[load.b];
+    const size_t first = turned ? load.b : load.a, second = turned ? load.a : load.b;
+    ContactLine line;
+    line.a = given[first];
+    line.b = wall ? -1 : static_cast<int64_t>(given[second]);
+    for (size_t k = 0; k < D; k++) {
+      const double way = (load.arm_a + load.arm_b) * load.normal[static_cast<Eigen::Index>(k)];
+      line.from[k] = state.centers[first * D + k];
+      line.to[k] = line.from[k] + (turned ? -way : way);
+    }
+    line.overlap = load.overlap;
+    line.normal = load.spring + load.dashpot;
+    line.tangential = load.tangential.norm();
+    lines.push_back(line);
+  }
+  std::sort(lines.begin(), lines.end(),
+            [](const ContactLine &x, const ContactLine &y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  return lines;
 }
 
 template <int D, class Real>
@@ -148,6 +220,7 @@ void Simulation<D, Real>::save(Checkpoint &checkpoint) const {
   checkpoint.put_value("steps", steps_);
   checkpoint.put_value("forces known", static_cast<uint64_t>(forces_known_));
   checkpoint.put_value("last drift", last_drift_);
+  if (counts_work_) checkpoint.put_value("work", work_);
   visit_quantities(bodies_, [&](const char *name, size_t count, size_t width, auto numbers_of) {
     std::vector<Real> numbers;
     for (size_t i = 0; i < count; i++) numbers.insert(numbers.end(), numbers_of(i), numbers_of(i) + width);
@@ -186,6 +259,7 @@ void Simulation<D, Real>::restore(const Checkpoint &checkpoint) {
   steps_ = checkpoint.get_value<uint64_t>("steps");
   forces_known_ = checkpoint.get_value<uint64_t>("forces known") != 0;
   last_drift_ = checkpoint.get_value<double>("last drift");
+  if (counts_work_) work_ = checkpoint.get_value<Work>("work");
   visit_quantities(bodies_, [&](const char *name, size_t count, size_t width, auto numbers_of) {
     std::vector<Real> numbers(width * count);
     checkpoint.get(name, numbers);
@@ -211,6 +285,9 @@ void Simulation<D, Real>::restore_materials(const Checkpoint &checkpoint) {
   template Snapshot Simulation<D, Real>::state_now();                    \
   template Snapshot Simulation<D, Real>::snapshot();                     \
   template Measurement Simulation<D, Real>::measure();                   \
+  template std::vector<ContactLine> Simulation<D, Real>::contacts();     \
+  template void Simulation<D, Real>::count_work();                       \
+  template void Simulation<D, Real>::tally(double kick);                 \
   template void Simulation<D, Real>::save(Checkpoint &checkpoint) const; \
   template void Simulation<D, Real>::restore(const Checkpoint &checkpoint);
 

@@ -23,7 +23,7 @@ class Network {
       : setup_(&setup), state_(&state), blocks_(state.count(), Block::Zero()) {}
 
   // The end of a contact at `body`, `out` of which the normal points; mass_ratio is its mass over its partner's.
-  void add(const LoadedContact<D> &contact, size_t body, double mass_ratio, const Vec<D, double> &out) {
+  void add(const ContactLoad<D> &contact, size_t body, double mass_ratio, const Vec<D, double> &out) {
     const double mass = state_->masses[body], step = setup_->time_step;
     if (!std::isfinite(mass)) return;
     const double strength =
@@ -67,10 +67,10 @@ class Network {
 };
 
 template <int D, bool turns>
-double load_of(const Setup &setup, const Snapshot &state, const std::vector<LoadedContact<D>> &contacts) {
+double load_of(const Setup &setup, const Snapshot &state, const std::vector<ContactLoad<D>> &contacts) {
   Network<D, turns> network(setup, state);
-  for (const LoadedContact<D> &contact : contacts) {
-    const bool wall = contact.b == LoadedContact<D>::kWall;
+  for (const ContactLoad<D> &contact : contacts) {
+    const bool wall = contact.b == ContactLoad<D>::kWall;
     const double ratio = wall ? 0 : state.masses[contact.a] / state.masses[contact.b];
     network.add(contact, contact.a, ratio, contact.normal);
     if (!wall) network.add(contact, contact.b, 1 / ratio, -contact.normal);
@@ -81,12 +81,12 @@ double load_of(const Setup &setup, const Snapshot &state, const std::vector<Load
 }  // namespace
 
 template <int D>
-double step_load(const Setup &setup, const Snapshot &state, const std::vector<LoadedContact<D>> &contacts) {
+double step_load(const Setup &setup, const Snapshot &state, const std::vector<ContactLoad<D>> &contacts) {
   return has(setup.effects, kFriction) ? load_of<D, true>(setup, state, contacts)
                                        : load_of<D, false>(setup, state, contacts);
 }
 
-template double step_load(const Setup &, const Snapshot &, const std::vector<LoadedContact<2>> &);
-template double step_load(const Setup &, const Snapshot &, const std::vector<LoadedContact<3>> &);
+template double step_load(const Setup &, const Snapshot &, const std::vector<ContactLoad<2>> &);
+template double step_load(const Setup &, const Snapshot &, const std::vector<ContactLoad<3>> &);
 
 }  // namespace dem

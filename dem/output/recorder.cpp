@@ -3,77 +3,99 @@
 // The files of a run.
 #include "dem/output/recorder.hpp"
 
+#include "dem/output/network.hpp"
 #include "dem/output/picture.hpp"
 #include "dem/state/checkpoint.hpp"
 #include "particles/error.hpp"
 #include "particles/files/writer.hpp"
+#include "particles/text/formatted.hpp"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <iterator>
 #include <utility>
 
 namespace output {
 namespace {
 
-constexpr const char *kHeader =
+constexpr const char *kEnergies =
     "step,time,energy,translation,rotation,contact,gravity,contacts,wall_contacts,largest_overlap";
+constexpr const char *kWork = ",dashpot,friction,rolling,drag,input,balance";
+constexpr const char *kBulk =
+    "step,time,pressure,stress_xx,stress_yy,stress_zz,stress_xy,stress_xz,stress_yz,kinetic_xx,kinetic_yy,kinetic_zz,"
+    "kinetic_xy,kinetic_xz,kinetic_yz,coordination,backbone,rattlers,fabric_xx,fabric_yy,fabric_zz,fabric_xy,fabric_xz,"
+    "fabric_yz,temperature";
 
-// Pictures sort by step, by name too.
-std::string picture_name(uint64_t step, const std::string &format) {
-  char name[48];
-  std::snprintf(name, sizeof name, "state-%012llu.", static_cast<unsigned long long>(step));
+// Files sort by step, by name too.
+std::string name_of(const char *what, uint64_t step, const std::string &format) {
+  char name[64];
+  std::snprintf(name, sizeof name, "%s-%012llu.", what, static_cast<unsigned long long>(step));
   return name + format;
 }
 
-// The table up to a step, with its header; the header alone if there is none.
-std::string table_until(const std::string &path, uint64_t done) {
-  std::string kept = std::string(kHeader) + '\n', line;
-  std::ifstream table(path);
-  std::getline(table, line);
-  while (std::getline(table, line) && std::strtoull(line.c_str(), nullptr, 10) <= done) kept += line + '\n';
+std::string bulk_row(const dem::Measurement &m) {
+  const dem::Bulk &bulk = m.bulk;
+  std::vector<double> numbers = {m.time, bulk.pressure};
+  numbers.insert(numbers.end(), std::begin(bulk.stress), std::end(bulk.stress));
+  numbers.insert(numbers.end(), std::begin(bulk.kinetic_stress), std::end(bulk.kinetic_stress));
+  numbers.insert(numbers.end(), {bulk.coordination, bulk.backbone, static_cast<double>(bulk.rattlers)});
+  numbers.insert(numbers.end(), std::begin(bulk.fabric), std::end(bulk.fabric));
+  numbers.push_back(bulk.temperature);
+  return row_of(numbers);
+}
+
+std::string energy_row(const dem::Measurement &m, bool work) {
+  const std::string counts = particles::formatted(",%zu,%zu,%.6g", m.contacts, m.wall_contacts, m.largest_overlap);
+  const std::string energies = row_of({m.time, m.energy(), m.translation, m.rotation, m.contact, m.gravity}) + counts;
+  if (!work) return energies;
+  return energies + "," +
+         row_of({m.work.dashpot, m.work.friction, m.work.rolling, m.work.drag, m.work.input, m.balance()});
+}
+
+// Those of an earlier run up to this step.
+std::vector<TimedFile> files_until(const std::string &list, const std::string &last) {
+  std::vector<TimedFile> kept;
+  for (const TimedFile &file : read_animation(list)) {
+    if (file.name <= last) kept.push_back(file);
+  }
   return kept;
 }
 
 }  // namespace
 
-Recorder::Recorder(std::string directory, std::vector<std::string> formats, const dem::Setup &setup, uint64_t done)
-    : directory_(std::move(directory)), formats_(std::move(formats)), setup_(&setup) {
+Recorder::Recorder(std::string directory, Asked asked, const dem::Setup &setup, uint64_t done)
+    : directory_(std::move(directory)), asked_(std::move(asked)), setup_(&setup) {
   std::error_code error;
   std::filesystem::create_directories(directory_, error);
   if (error) throw particles::Error(directory_ + ": cannot make this folder: " + error.message());
-  const std::string path = directory_ + "/energy.csv";
-  const std::string kept = done > 0 ? table_until(path, done) : std::string(kHeader) + '\n';
-  table_.reset(std::fopen(path.c_str(), "w"));
-  if (!table_ || std::fputs(kept.c_str(), table_.get()) < 0) {
-    throw particles::Error(path + ": cannot write: " + std::strerror(errno));
-  }
+  const std::string header = std::string(kEnergies) + (asked_.work ? kWork : "");
+  energies_ = std::make_unique<CsvTable>(directory_ + "/energy.csv", header, done);
+  if (asked_.bulk) bulk_ = std::make_unique<CsvTable>(directory_ + "/bulk.csv", kBulk, done);
   if (done == 0) return;
-  for (const TimedFile &file : read_animation(directory_ + "/states.pvd")) {
-    if (file.name <= picture_name(done, "vtp")) animation_.push_back(file);
-  }
+  animation_ = files_until(directory_ + "/states.pvd", name_of("state", done, "vtp"));
+  if (asked_.contacts) networks_ = files_until(directory_ + "/contacts.pvd", name_of("contacts", done, "vtp"));
 }
 
-void Recorder::picture(uint64_t step, dem::Snapshot state) {
+void Recorder::picture(uint64_t step, dem::Engine &engine) {
+  dem::Snapshot state = engine.snapshot();
   const double time = state.time;
   const particles::ParticleSet set = picture_of(*setup_, step, std::move(state));
-  for (const std::string &format : formats_) {
-    const std::string name = picture_name(step, format);
+  for (const std::string &format : asked_.formats) {
+    const std::string name = name_of("state", step, format);
     particles::write_picture(directory_ + "/" + name, *particles::format_of_word(format), set);
     if (format != "vtp") continue;
     animation_.push_back({time, name});
     write_animation(directory_ + "/states.pvd", animation_);
   }
+  if (!asked_.contacts) return;
+  networks_.push_back({time, name_of("contacts", step, "vtp")});
+  write_network(directory_ + "/" + networks_.back().name, time, engine.contacts());
+  write_animation(directory_ + "/contacts.pvd", networks_);
 }
 
-void Recorder::energies(uint64_t step, const dem::Measurement &m) {
-  std::FILE *out = table_.get();
-  std::fprintf(out, "%llu,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%zu,%zu,%.6g\n", static_cast<unsigned long long>(step),
-               m.time, m.energy(), m.translation, m.rotation, m.contact, m.gravity, m.contacts, m.wall_contacts,
-               m.largest_overlap);
-  if (std::fflush(out) != 0) throw particles::Error(directory_ + "/energy.csv: cannot write: " + std::strerror(errno));
+void Recorder::measurement(uint64_t step, const dem::Measurement &m) {
+  energies_->add(step, energy_row(m, asked_.work));
+  if (bulk_) bulk_->add(step, bulk_row(m));
 }
 
 void Recorder::checkpoint(const dem::Engine &engine) {

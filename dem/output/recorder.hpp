@@ -1,18 +1,26 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The files of a run: pictures of the state, the table of energies, the checkpoint.
+// The files of a run: pictures of the state, tables of energies and averages, networks of contacts, the checkpoint.
 #pragma once
 
 #include "dem/engine/engine.hpp"
 #include "dem/output/animation.hpp"
+#include "dem/output/csv_table.hpp"
 
 #include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace output {
+
+// What is recorded besides.
+struct Asked {
+  std::vector<std::string> formats;  // of pictures, their words
+  bool work = false;                 // columns of the energies
+  bool bulk = false;                 // averages over the box
+  bool contacts = false;             // a network beside each picture
+};
 
 // All files lie in one folder, which is made if it is not there. A run that goes on from a checkpoint adds to the
 // table and the list of pictures; pictures carry the number of their step. Throws particles::Error if something cannot
@@ -20,25 +28,22 @@ namespace output {
 class Recorder {
  public:
   // `done`: the step that the run goes on from, 0 for a new one. What an earlier run has entered for later steps, past
-  // its last checkpoint, is dropped, since it comes again. `formats`: their words.
-  Recorder(std::string directory, std::vector<std::string> formats, const dem::Setup &setup, uint64_t done);
+  // its last checkpoint, is dropped, since it comes again.
+  Recorder(std::string directory, Asked asked, const dem::Setup &setup, uint64_t done);
 
-  void picture(uint64_t step, dem::Snapshot state);
-  void energies(uint64_t step, const dem::Measurement &measurement);
+  void picture(uint64_t step, dem::Engine &engine);
+  // A row of each table.
+  void measurement(uint64_t step, const dem::Measurement &measurement);
   void checkpoint(const dem::Engine &engine);
 
   std::string checkpoint_path() const { return directory_ + "/checkpoint"; }
 
  private:
-  struct CloseFile {
-    void operator()(std::FILE *file) const { std::fclose(file); }
-  };
-
   std::string directory_;
-  std::vector<std::string> formats_;
+  Asked asked_;
   const dem::Setup *setup_;
-  std::unique_ptr<std::FILE, CloseFile> table_;
-  std::vector<TimedFile> animation_;
+  std::unique_ptr<CsvTable> energies_, bulk_;
+  std::vector<TimedFile> animation_, networks_;
 };
 
 }  // namespace output

@@ -157,6 +157,11 @@ const std::vector<Key> &all_keys() {
        {"output", "every", Kind::kNumber, kTime, "none", "time between pictures of the state"},
        {"output", "formats", Kind::kTexts, kPure, "vtp", format_list()},
        {"output", "energy", Kind::kNumber, kTime, "a hundredth of the run", "time between the rows of energy.csv"},
+       {"output", "work", Kind::kFlag, kPure, "false",
+        "energy.csv also tells what is dissipated and put in, and the balance; steps take several times as long"},
+       {"output", "bulk", Kind::kFlag, kPure, "false",
+        "bulk.csv: stress, fabric, coordination, granular temperature of the box, by the same times as energy.csv"},
+       {"output", "contacts", Kind::kFlag, kPure, "false", "the network of contacts beside each picture, for ParaView"},
        {"output", "checkpoint", Kind::kNumber, kTime, "none", "time between checkpoints; the last one stays"}}));
   return keys;
 }

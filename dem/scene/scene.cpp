@@ -118,6 +118,12 @@ void read_output(const Table &top, const std::string &path, Scene &scene) {
   plan.directory = output->text("directory", plan.directory);
   if (output->has("formats"))
     plan.formats = output->choices("formats", particles::names_of(particles::writable_formats()));
+  plan.work = output->flag("work", false);
+  plan.bulk = output->flag("bulk", false);
+  plan.contacts = output->flag("contacts", false);
+  for (int axis = 0; plan.bulk && axis < scene.setup.dimension; axis++) {
+    if (!(scene.setup.box_max[axis] > scene.setup.box_min[axis])) output->fail("bulk", "averages are over a [box]");
+  }
   plan.pictures = steps_of(*output, "every", scene.setup.time_step, 0);
   plan.energies = steps_of(*output, "energy", scene.setup.time_step, plan.energies);
   plan.checkpoints = steps_of(*output, "checkpoint", scene.setup.time_step, 0);

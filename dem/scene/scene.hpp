@@ -15,6 +15,7 @@ namespace scene {
 struct OutputPlan {
   std::string directory;
   std::vector<std::string> formats;
+  bool work = false, bulk = false, contacts = false;  // written too
   // In steps; 0: never.
   uint64_t pictures = 0, energies = 0, checkpoints = 0;
 };

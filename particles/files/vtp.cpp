@@ -3,8 +3,8 @@
 // VTK PolyData in XML, for ParaView: one vertex per particle with its radius and further columns. Numbers are stored as
 // the machine holds them, in base64.
 #include "particles/files/format.hpp"
+#include "particles/files/vtk_array.hpp"
 #include "particles/files/vtk_head.hpp"
-#include "particles/text/base64.hpp"
 #include "particles/text/output.hpp"
 
 #include <cstdint>
@@ -14,31 +14,13 @@
 namespace particles {
 namespace {
 
-template <class T>
-constexpr const char *kTypeName = nullptr;
-template <>
-constexpr const char *kTypeName<double> = "Float64";
-template <>
-constexpr const char *kTypeName<int64_t> = "Int64";
-
-template <class T>
-void write_array(Output &out, std::string_view name, size_t components, const std::vector<T> &numbers) {
-  out << "<DataArray type=\"" << kTypeName<T> << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
-      << "\" format=\"binary\">";
-  // The number of bytes comes first, in the type that header_type says.
-  const uint64_t size = numbers.size() * sizeof(T);
-  std::string bytes(reinterpret_cast<const char *>(&size), sizeof size);
-  if (size > 0) bytes.append(reinterpret_cast<const char *>(numbers.data()), size);
-  out << base64(bytes) << "</DataArray>";
-}
-
 // Numbers come before vectors.
 void write_columns(Output &out, const ParticleSet &particles) {
   out << "<PointData Scalars=\"radius\">";
-  write_array(out, "radius", 1, particles.radii);
+  write_vtk_array(out, "radius", 1, particles.radii);
   for (const size_t width : {size_t{1}, size_t{3}}) {
     for (const Column &column : particles.columns)
-      if (column.width == width) write_array(out, column.name, width, column.values);
+      if (column.width == width) write_vtk_array(out, column.name, width, column.values);
   }
   out << "</PointData>";
 }
@@ -50,8 +32,8 @@ void write_vertices(Output &out, size_t count) {
     ends[i] = static_cast<int64_t>(i + 1);
   }
   out << "<Verts>";
-  write_array(out, "connectivity", 1, ids);
-  write_array(out, "offsets", 1, ends);
+  write_vtk_array(out, "connectivity", 1, ids);
+  write_vtk_array(out, "offsets", 1, ends);
   out << "</Verts>";
 }
 
@@ -68,7 +50,7 @@ void write_vtp(Output &out, const ParticleSet &particles) {
       << "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">";
   write_columns(out, particles);
   out << "<Points>";
-  write_array(out, "centers", 3, in_three_dimensions(particles.centers, particles.dimension));
+  write_vtk_array(out, "centers", 3, in_three_dimensions(particles.centers, particles.dimension));
   out << "</Points>";
   write_vertices(out, count);
   out << "</Piece></PolyData></VTKFile>";

@@ -92,6 +92,37 @@ def check_table(path, names, time, points, data):
     assert (columns["radius"] == data["radius"][:, 0]).all() and (columns["mass"] == data["mass"][:, 0]).all()
 
 
+def overlaps(points, radii, lattice):
+    """By brute force: pairs and their overlaps, in a box that is periodic along x and y."""
+    apart = points[None, :, :] - points[:, None, :]
+    for axis in (0, 1):
+        apart[:, :, axis] -= lattice[axis, axis] * np.round(apart[:, :, axis] / lattice[axis, axis])
+    overlap = radii[None, :] + radii[:, None] - np.linalg.norm(apart, axis=2)
+    return {(a, b): overlap[a, b] for a, b in zip(*np.nonzero(np.triu(overlap > 0, 1)))}
+
+
+def check_network(path, points, data, lattice):
+    """Every contact of particles is a line of its length, and walls bear what overlaps them."""
+    piece = xml.parse(path).getroot().find("PolyData/Piece")
+    ends, lines = arrays_of(piece.find("Points"))["ends"], arrays_of(piece.find("Lines"))
+    count, cells = int(piece.get("NumberOfLines")), arrays_of(piece.find("CellData"))
+    assert (lines["connectivity"][:, 0] == np.arange(2 * count)).all()
+    assert (lines["offsets"][:, 0] == np.arange(2, 2 * count + 1, 2)).all()
+    a, b, overlap = (cells[name][:, 0] for name in ("a", "b", "overlap"))
+    way = np.linalg.norm(ends[1::2] - ends[::2], axis=1)
+    radii, pairs = data["radius"][:, 0], b >= 0
+    assert (ends[::2] == points[a]).all()
+    assert np.allclose(way + overlap, radii[a] + np.where(pairs, radii[b], 0))
+    expected = overlaps(points, radii, lattice)
+    found = dict(zip(zip(a[pairs], b[pairs]), overlap[pairs]))
+    assert found.keys() == expected.keys() and all(abs(found[key] - expected[key]) < 1e-9 for key in found)
+    beyond = np.maximum(radii - points[:, 2], radii + points[:, 2] - lattice[2, 2])
+    touching = set(a[~pairs])  # of a packing some touch but for rounding
+    assert set(np.nonzero(beyond > 1e-12)[0]) <= touching <= set(np.nonzero(beyond > -1e-12)[0])
+    assert (cells["tangential force"] >= 0).all()
+    return 2 * len(expected) + np.count_nonzero(~pairs)
+
+
 def main(folder):
     pictures = sorted(glob.glob(folder + "/state-*.vtp"))
     assert len(pictures) >= 2, pictures
@@ -108,12 +139,21 @@ def main(folder):
         assert (data["spin"] == columns["angular_velocity"]).all()
         check_table(path.replace(".vtp", ".csv"), ("velocity_", "spin_"), time, points, data)
         check_table(path.replace(".vtp", ".lammps"), ("v", "omega"), time, points, data)
+        ends = check_network(path.replace("state-", "contacts-"), points, data, lattice)
         for axis in (0, 1):  # the periodic axes
             assert (points[:, axis] >= 0).all() and (points[:, axis] < lattice[axis, axis]).all()
         assert np.allclose(data["mass"], 4 / 3 * np.pi * data["radius"] ** 3)
     table = np.genfromtxt(folder + "/energy.csv", delimiter=",", names=True)
     parts = table["translation"] + table["rotation"] + table["contact"] + table["gravity"]
     assert np.allclose(table["energy"], parts) and table["step"][-1] == 300
+    bulk = np.genfromtxt(folder + "/bulk.csv", delimiter=",", names=True)
+    assert np.isclose(bulk["coordination"][-1], ends / len(points)) and (bulk["step"] == table["step"]).all()
+    traces = bulk["stress_xx"] + bulk["stress_yy"] + bulk["stress_zz"]
+    assert np.allclose(traces, 3 * bulk["pressure"]) and (bulk["pressure"] > 0).all()
+    assert np.allclose(bulk["fabric_xx"] + bulk["fabric_yy"] + bulk["fabric_zz"], 1)
+    taken = table["dashpot"] + table["friction"] + table["rolling"] + table["drag"] - table["input"]
+    assert np.allclose(table["balance"], table["energy"] + taken)
+    assert np.ptp(table["balance"]) < 1e-3 * (table["translation"][0] + taken[-1]) and taken[-1] > 0
     print(f"{len(pictures)} pictures read back")
 
 

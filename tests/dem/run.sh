@@ -47,6 +47,9 @@ steps = 300
 every = 0.1
 formats = ["vtp", "xyz", "csv", "lammps"]
 checkpoint = 0.1
+work = true
+bulk = true
+contacts = true
 TOML
 "$hgrid" run busy.toml --quiet --output whole >/dev/null
 "$python" "$here/read_back.py" whole || fail "the pictures do not read back"

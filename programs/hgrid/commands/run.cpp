@@ -141,12 +141,12 @@ class Run {
       line_.worked(0, measure::seconds_since(start));
       if (!std::isfinite(m.energy()))
         throw particles::Error("the energy is not finite at step " + std::to_string(step));
-      if (row) recorder_.energies(step, m);
+      if (row) recorder_.measurement(step, m);
       look(step, m);
       if (shows) line_.show(step, m);
     }
     if (again) return;
-    if (is_time(scene_.output.pictures)) recorder_.picture(step, engine_.snapshot());
+    if (is_time(scene_.output.pictures)) recorder_.picture(step, engine_);
     if (is_time(scene_.output.checkpoints)) recorder_.checkpoint(engine_);
   }
 
@@ -205,13 +205,16 @@ void run_scene(const RunOptions &options) {
   if (options.steps) scene.steps = *options.steps;
   if (!options.directory.empty()) scene.output.directory = options.directory;
   const std::unique_ptr<dem::Engine> engine = dem::make_engine(scene.setup, scene.precision);
+  const scene::OutputPlan &plan = scene.output;
+  if (plan.work) engine->count_work();
   if (!options.restart.empty()) engine->restore(dem::Checkpoint::read(options.restart));
   if (!scene.unused.empty())
     std::fprintf(stderr, "hgrid: %s: note: of its particle files these columns are not used: %s\n",
                  options.scene.c_str(), particles::joined(scene.unused).c_str());
   print_scene(scene, options.scene);
   std::fflush(stdout);
-  output::Recorder recorder(scene.output.directory, scene.output.formats, scene.setup, engine->steps_done());
+  output::Recorder recorder(plan.directory, {plan.formats, plan.work, plan.bulk, plan.contacts}, scene.setup,
+                            engine->steps_done());
   const Interrupt interrupt;
   Run run(scene, *engine, recorder, interrupt, options);
   run.go();
