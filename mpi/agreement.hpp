@@ -6,6 +6,7 @@
 
 #include "mpi/failure.hpp"
 
+#include <array>
 #include <new>
 
 namespace hgrid::mpi {
@@ -16,8 +17,11 @@ struct Outcome {
   char text[256] = "";
 };
 
-// Throws on all ranks if a part failed on any, or if they do not all give the same number.
-void agree(MPI_Comm comm, const Outcome &mine, int64_t number = 0, const char *name = "");
+// Throws on all ranks if a part failed on any. The numbers become the least of all ranks, each.
+using Numbers = std::array<int64_t, 2>;
+void agree(MPI_Comm comm, const Outcome &mine, Numbers *numbers = nullptr);
+
+int rank_in(MPI_Comm comm);
 
 template <class Body>
 Outcome outcome_of(Body &&body) {
@@ -47,7 +51,19 @@ void together(MPI_Comm comm, Body &&body) {
 // The same of a call in which a number must be the same on all ranks.
 template <class Body>
 void together_of(MPI_Comm comm, int64_t number, const char *name, Body &&body) {
-  agree(comm, outcome_of(body), number, name);
+  // The complement of the least complement is the largest.
+  Numbers least{number, ~number};
+  agree(comm, outcome_of(body), &least);
+  if (least[0] != ~least[1]) fail(HG_ERR_ARGUMENT, "rank %d: %s is not the same on all ranks", rank_in(comm), name);
+}
+
+// The same; what `body` makes of the numbers become the largest of all ranks.
+template <class Body>
+void together_most(MPI_Comm comm, Numbers &numbers, Body &&body) {
+  const Outcome mine = outcome_of(body);
+  Numbers least{~numbers[0], ~numbers[1]};
+  agree(comm, mine, &least);
+  numbers = {~least[0], ~least[1]};
 }
 
 }  // namespace hgrid::mpi

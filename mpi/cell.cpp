@@ -49,47 +49,27 @@ double Cell::distance_moved(const double *from, const double *to) const {
   return std::sqrt(squares) + kRounding * scale + 0x1p-510 * (squares > 0 || scale > 0 ? 1 : 0);
 }
 
-bool Cell::may_reach(const Box &box, const double *place, double reach) const {
-  double scale = reach + box.scale;
-  double drift[3] = {0, 0, 0};  // how far edges of later axes may have led a place along this one
-  for (int axis = 2; axis >= 0; axis--) {
-    if (axis >= dimension_) continue;
-    scale += std::fabs(place[axis]);
+double Cell::slack(const Box &box, const Box &other, double reach) const {
+  double scale = reach + box.scale + other.scale;
+  double drift[3] = {0, 0, 0};  // how far edges of later axes may have led an image along this one
+  for (int axis = dimension_ - 1; axis >= 0; axis--) {
     if (!periodic_[axis]) continue;
-    const double span = std::fabs(box.low[axis] - place[axis]) + (box.high[axis] - box.low[axis]) + reach + drift[axis];
+    const double span = std::fabs(box.low[axis] - other.low[axis]) + (box.high[axis] - box.low[axis]) +
+                        (other.high[axis] - other.low[axis]) + reach + drift[axis];
     const double images = 2 + span / length(axis);
     scale += images * scale_[axis];
     for (int along = 0; along < axis; along++) drift[along] += images * std::fabs(edges_[axis][along]);
   }
-  return may_reach(box, place, reach + kRounding * scale, 1 + kRounding, dimension_ - 1);
+  return kRounding * scale;
 }
 
-// `rest`: what the squares of the gaps along this axis and those before it may sum up to, in squares of the reach.
-bool Cell::may_reach(const Box &box, const double *place, double reach, double rest, int axis) const {
-  if (axis < 0) return true;
-  double first = 0;
-  int count = 1;
-  if (periodic_[axis]) {
-    first = std::ceil((box.low[axis] - reach - place[axis]) / length(axis) - kRounding);
-    const double last = std::floor((box.high[axis] + reach - place[axis]) / length(axis) + kRounding);
-    if (!(last - first <= kMostImages)) return true;
-    count = first <= last ? static_cast<int>(last - first) + 1 : 0;
-  }
-  for (int k = 0; k < count; k++) {
-    const double n = first + k;
-    double image[3] = {0, 0, 0};
-    std::copy(place, place + dimension_, image);
-    if (n != 0) (void)shift(image, axis, n);
-    const double gap = std::max(box.low[axis] - image[axis], image[axis] - box.high[axis]);
-    double left = rest;
-    if (gap > 0) {
-      if (gap > reach) continue;
-      left -= gap / reach * (gap / reach);
-      if (left < 0) continue;
-    }
-    if (may_reach(box, image, reach, left, axis - 1)) return true;
-  }
-  return false;
+Cell::Range Cell::images_along(int axis, const Box &box, double offset, const Box &other, double reach) const {
+  const double low = box.low[axis] + offset, high = box.high[axis] + offset;
+  if (!periodic_[axis]) return {0, low - other.high[axis] > reach || other.low[axis] - high > reach ? 0 : 1};
+  const double first = std::ceil((other.low[axis] - reach - high) / length(axis) - kRounding);
+  const double last = std::floor((other.high[axis] + reach - low) / length(axis) + kRounding);
+  if (!(last - first <= kMostImages)) return {0, -1};
+  return {first, first <= last ? static_cast<int>(last - first) + 1 : 0};
 }
 
 }  // namespace hgrid::mpi

@@ -36,19 +36,18 @@ std::vector<size_t> sums_of(const std::vector<int> &counts) {
 
 }  // namespace
 
-void Route::plan(MPI_Comm comm, size_t count, const std::vector<std::vector<int32_t>> &rows) {
+void Route::plan(size_t count, const std::vector<std::vector<int32_t>> &rows) {
   std::vector<int> outgoing, incoming;
-  together(comm, [&] {
+  together(comm_, [&] {
     for (const std::vector<int32_t> &list : rows) outgoing.push_back(static_cast<int>(list.size()));
     incoming.resize(rows.size());
     rows_.clear();
     for (const std::vector<int32_t> &list : rows) rows_.insert(rows_.end(), list.begin(), list.end());
   });
-  comm_ = comm;
   source_count_ = count;
-  check_mpi(MPI_Comm_rank(comm, &rank_), "MPI_Comm_rank");
-  check_mpi(MPI_Alltoall(outgoing.data(), 1, MPI_INT, incoming.data(), 1, MPI_INT, comm), "MPI_Alltoall");
-  together(comm, [&] {
+  check_mpi(MPI_Comm_rank(comm_, &rank_), "MPI_Comm_rank");
+  check_mpi(MPI_Alltoall(outgoing.data(), 1, MPI_INT, incoming.data(), 1, MPI_INT, comm_), "MPI_Alltoall");
+  together(comm_, [&] {
     send_begin_ = sums_of(outgoing);
     receive_begin_ = sums_of(incoming);
     if (receive_begin_.back() > INT32_MAX - count) {
@@ -93,8 +92,9 @@ void Route::exchange(size_t row_bytes, const char *out, const std::vector<size_t
   check_mpi(MPI_Waitall(used, requests_.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
 }
 
-void Route::forward(size_t row_bytes, const void *from, void *to) {
+void Route::forward(size_t row_bytes, const void *from, void *to, const std::function<void()> &check) {
   together_of(comm_, static_cast<int64_t>(row_bytes), "row_bytes", [&] {
+    check();
     if (row_bytes > INT_MAX) fail(HG_ERR_ARGUMENT, "row_bytes = %zu is above 2^31 - 1", row_bytes);
     if (source_count_ > 0 && row_bytes > 0) check_pointer(from, "the rows to send");
     if (arrival_count() > 0 && row_bytes > 0) check_pointer(to, "the rows to receive");
@@ -107,9 +107,10 @@ void Route::forward(size_t row_bytes, const void *from, void *to) {
   if (row_bytes > 0) exchange(row_bytes, buffer_.data(), send_begin_, static_cast<char *>(to), receive_begin_);
 }
 
-void Route::add_back(size_t columns, const double *from, double *to) {
+void Route::add_back(size_t columns, const double *from, double *to, const std::function<void()> &check) {
   const size_t row_bytes = columns * sizeof(double);
   together_of(comm_, static_cast<int64_t>(columns), "columns", [&] {
+    check();
     if (columns > INT_MAX / sizeof(double)) fail(HG_ERR_ARGUMENT, "columns = %zu are above 2^28 - 1", columns);
     if (arrival_count() > 0 && columns > 0) check_pointer(from, "ghosts");
     if (source_count_ > 0 && columns > 0) check_pointer(to, "owned");

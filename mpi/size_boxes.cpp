@@ -5,10 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace hgrid::mpi {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+SizeBox empty_box(double smallest, double largest) {
+  return {{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}, 0}, smallest, largest};
+}
 
 // Where along a period, in 0 .. 1, the middle of the longest arc is that holds particles: opposite to the middle of the
 // longest gap. Arcs are told apart by so many bins.
@@ -29,86 +36,85 @@ double middle_of_arc(const std::array<bool, kBins> &occupied) {
 
 // Moves places by whole edges of an axis to where their arc is in one piece; scales[k] grows by what was added.
 void unroll(const Cell &cell, int axis, size_t count, double *places, double *scales) {
-  const int d = cell.dimension();
-  const auto turns = [&](size_t k) { return (places[k * d + axis] - cell.low(axis)) / cell.length(axis); };
+  const double low = cell.low(axis), per_length = 1 / cell.length(axis);
+  // Rounded: any whole number of edges is right, the nearest one is best.
+  const auto turns = [&](size_t k) { return (places[3 * k + static_cast<size_t>(axis)] - low) * per_length; };
   std::array<bool, kBins> occupied{};
   for (size_t k = 0; k < count; k++) {
-    const double fraction = turns(k) - std::floor(turns(k));
-    // Not a number if the quotient is infinite; the core refuses such a particle.
+    const double turn = turns(k), fraction = turn >= 0 && turn < 1 ? turn : turn - std::floor(turn);
+    // Not a number if the product is infinite; the core refuses such a particle.
     occupied[fraction >= 0 ? std::min(kBins - 1, static_cast<int>(fraction * kBins)) : 0] = true;
   }
   const double middle = middle_of_arc(occupied);
   for (size_t k = 0; k < count; k++) {
-    const double n = std::nearbyint(middle - turns(k));
-    if (n != 0) scales[k] += cell.shift(places + k * d, axis, n);
+    const double from_middle = middle - turns(k);
+    if (from_middle >= -0.5 && from_middle <= 0.5) continue;
+    scales[k] += cell.shift(places + 3 * k, axis, std::nearbyint(from_middle));
   }
 }
 
-// The classes by the exponents of their radii, 0 apart.
-class Classes {
+// The numbers of classes by the exponents of their radii, as the bits of doubles have them: 0 among those that have
+// no exponent of their own.
+class ClassNumbers {
  public:
-  SizeBox &of(double radius, std::vector<SizeBox> &boxes) {
-    int exponent = kLowest;
-    if (radius > 0) (void)std::frexp(radius, &exponent);
-    int &place = places_[static_cast<size_t>(exponent - kLowest)];
-    if (place == 0) {
-      constexpr double kInfinity = std::numeric_limits<double>::infinity();
-      boxes.push_back({{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}, 0}, radius, radius});
-      place = static_cast<int>(boxes.size());
+  // Adds a box for a class that is new.
+  uint16_t of(double radius, std::vector<SizeBox> &boxes) {
+    uint64_t bits = 0;
+    std::memcpy(&bits, &radius, sizeof bits);
+    uint16_t &number = numbers_[bits >> 52 & 0x7ff];
+    if (number == 0) {
+      boxes.push_back(empty_box(radius, radius));
+      number = static_cast<uint16_t>(boxes.size());
     }
-    return boxes[static_cast<size_t>(place) - 1];
+    return static_cast<uint16_t>(number - 1);
   }
 
  private:
-  static constexpr int kLowest = -1080;  // below the exponent of any double
-  std::array<int, 1024 - kLowest + 1> places_{};
+  std::array<uint16_t, 0x800> numbers_{};  // from 1 on
 };
 
 }  // namespace
 
-std::vector<SizeBox> make_size_boxes(const Cell &cell, size_t count, const double *centers, const double *radii) {
+SizeClasses make_size_classes(const Cell &cell, size_t count, const double *centers, const double *radii) {
   const auto d = static_cast<size_t>(cell.dimension());
-  std::vector<double> places(centers, centers + count * d), scales(count);
+  SizeClasses classes{{}, std::vector<uint16_t>(count), std::vector<double>(3 * count)};
+  std::vector<double> scales(count);
   for (size_t k = 0; k < count; k++) {
-    for (size_t axis = 0; axis < d; axis++) scales[k] += std::fabs(centers[k * d + axis]);
+    for (size_t axis = 0; axis < d; axis++) {
+      classes.places[3 * k + axis] = centers[k * d + axis];
+      scales[k] += std::fabs(centers[k * d + axis]);
+    }
   }
   for (int axis = cell.dimension() - 1; axis >= 0; axis--) {
-    if (cell.is_periodic(axis)) unroll(cell, axis, count, places.data(), scales.data());
+    if (cell.is_periodic(axis)) unroll(cell, axis, count, classes.places.data(), scales.data());
   }
-  std::vector<SizeBox> boxes;
-  Classes classes;
+  ClassNumbers numbers;
   for (size_t k = 0; k < count; k++) {
-    SizeBox &own = classes.of(radii[k], boxes);
+    classes.class_of[k] = numbers.of(radii[k], classes.boxes);
+    SizeBox &own = classes.boxes[classes.class_of[k]];
     own.smallest = std::min(own.smallest, radii[k]);
     own.largest = std::max(own.largest, radii[k]);
     own.box.scale = std::max(own.box.scale, scales[k]);
-    for (size_t axis = 0; axis < d; axis++) {
-      own.box.low[axis] = std::min(own.box.low[axis], places[k * d + axis]);
-      own.box.high[axis] = std::max(own.box.high[axis], places[k * d + axis]);
+    for (size_t axis = 0; axis < 3; axis++) {
+      own.box.low[axis] = std::min(own.box.low[axis], classes.places[3 * k + axis]);
+      own.box.high[axis] = std::max(own.box.high[axis], classes.places[3 * k + axis]);
     }
   }
-  return boxes;
+  return classes;
 }
 
-double ReachRule::reach(double larger, double smaller) const {
-  return (max_range_ ? larger : larger + smaller) + margin_ + skin_;
-}
-
-bool ReachRule::may_meet(const SizeBox &others, const double *center, double radius) const {
-  if (others.smallest > radius) return false;
-  return cell_.may_reach(others.box, center, reach(radius, std::min(radius, others.largest)));
-}
-
-bool ReachRule::may_meet(const SizeBox &others, const SizeBox &mine) const {
-  // A place in one box is within reach of the other if the low corner of the first is within reach of the other box
-  // grown by the extents of the first.
-  if (others.smallest > mine.largest) return false;
-  SizeBox grown = others;
-  for (int axis = 0; axis < cell_.dimension(); axis++) {
-    grown.box.low[axis] -= mine.box.high[axis] - mine.box.low[axis];
+SizeBox box_around(const SizeBox *boxes, size_t count) {
+  SizeBox whole = empty_box(kInfinity, -kInfinity);
+  for (const SizeBox *one = boxes; one != boxes + count; one++) {
+    whole.smallest = std::min(whole.smallest, one->smallest);
+    whole.largest = std::max(whole.largest, one->largest);
+    whole.box.scale = std::max(whole.box.scale, one->box.scale);
+    for (int axis = 0; axis < 3; axis++) {
+      whole.box.low[axis] = std::min(whole.box.low[axis], one->box.low[axis]);
+      whole.box.high[axis] = std::max(whole.box.high[axis], one->box.high[axis]);
+    }
   }
-  grown.box.scale += mine.box.scale + others.box.scale;
-  return may_meet(grown, mine.box.low, mine.largest);
+  return whole;
 }
 
 }  // namespace hgrid::mpi

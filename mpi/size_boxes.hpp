@@ -7,35 +7,43 @@
 #include "mpi/cell.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace hgrid::mpi {
 
-// Sent between ranks as bytes.
+// Sent between ranks as bytes. In two dimensions it is flat: 0 along the third.
 struct SizeBox {
   Box box;
   double smallest, largest;  // radius
 };
 
-// centers: [count][dimension]. On a periodic axis the box may stand wherever an image of the particles is: it is drawn
-// around the shortest arc that holds all of them, or nearly so.
-std::vector<SizeBox> make_size_boxes(const Cell &cell, size_t count, const double *centers, const double *radii);
+// The particles of a rank by size. On a periodic axis they stand at images that lie close together: around the shortest
+// arc that holds all of them, or nearly so.
+struct SizeClasses {
+  std::vector<SizeBox> boxes;      // of each class that there is
+  std::vector<uint16_t> class_of;  // [count]
+  std::vector<double> places;      // [count][3]
+};
 
-// What of particles may have to be where others are.
+// centers: [count][dimension].
+SizeClasses make_size_classes(const Cell &cell, size_t count, const double *centers, const double *radii);
+
+// All classes as one. Without any, nothing is smaller and nothing in reach.
+SizeBox box_around(const SizeBox *boxes, size_t count);
+
+// How near two particles must come to meet, until all have used up the skin.
 class ReachRule {
  public:
   ReachRule(const hg_grid_def &def)
       : cell_(def), max_range_(def.interaction == HG_MAX_RANGE), margin_(def.margin), skin_(def.skin) {}
 
   const Cell &cell() const { return cell_; }
-  // Whether a particle may meet, as the larger of the two, one of those in the box, until all have used up the skin.
-  bool may_meet(const SizeBox &others, const double *center, double radius) const;
-  // Whether any particle of one box may so meet one of the other.
-  bool may_meet(const SizeBox &others, const SizeBox &mine) const;
+  double reach(double larger, double smaller) const {
+    return (max_range_ ? larger : larger + smaller) + margin_ + skin_;
+  }
 
  private:
-  double reach(double larger, double smaller) const;
-
   Cell cell_;
   bool max_range_;
   double margin_, skin_;

@@ -18,11 +18,9 @@ void check_unique(MPI_Comm comm, const std::vector<int64_t> &gids) {
       rows[static_cast<uint64_t>(gids[k]) % static_cast<uint64_t>(size)].push_back(static_cast<int32_t>(k));
     }
   });
-  Route route;
-  route.plan(comm, gids.size(), rows);
-  std::vector<int64_t> met;
-  together(comm, [&] { met.resize(route.arrival_count()); });
-  route.forward(sizeof(int64_t), gids.data(), met.data());
+  Route route(comm);
+  route.plan(gids.size(), rows);
+  std::vector<int64_t> met = route.send<int64_t>([&](size_t row) { return gids[row]; });
   together(comm, [&] {
     std::sort(met.begin(), met.end());
     const auto twice = std::adjacent_find(met.begin(), met.end());

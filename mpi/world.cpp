@@ -4,11 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace hgrid::mpi {
 
 World::World(MPI_Comm comm, const hg_grid_def &grid_def, const hg_mpi_def &def)
-    : comm_(comm), grid_def_(grid_def), def_(def), rule_(grid_def), search_(grid_def), judge_(make_grid(grid_def)) {
+    : comm_(comm),
+      grid_def_(grid_def),
+      def_(def),
+      rule_(grid_def),
+      search_(grid_def),
+      judge_(make_grid(grid_def)),
+      ghosts_(comm),
+      migration_(comm) {
   // The search has its own copy, for grids that it makes later.
   grid_def_.cell_sizes = nullptr;
   check_mpi(MPI_Comm_rank(comm_, &rank_), "MPI_Comm_rank");
@@ -125,24 +133,18 @@ double World::imbalance_of(double weight) const {
 
 void World::choose_ghosts() {
   usable_ = false;
-  std::vector<SizeBox> boxes;
+  std::optional<Selection> selection;
   together(comm_, [&] {
     particles_.resize(owned_);
-    boxes = make_size_boxes(rule_.cell(), owned_, particles_.centers.data(), particles_.radii.data());
+    selection.emplace(rule_, owned_, particles_.centers.data(), particles_.radii.data());
     chosen_centers_ = particles_.centers;
     chosen_radii_ = particles_.radii;
   });
-  std::vector<size_t> begin;
-  boxes = gather_boxes(std::move(boxes), &begin);
+  const BoxesOfRanks boxes = gather_boxes(selection->boxes());
   std::vector<std::vector<int32_t>> rows;
-  together(comm_, [&] { rows = rows_to_send(boxes, begin); });
-  ghosts_.plan(comm_, owned_, rows);
-  std::vector<Traveller> leaving, arriving;
-  together(comm_, [&] {
-    for (size_t k = 0; k < owned_; k++) leaving.push_back(particles_.pack(k, 0));
-    arriving.resize(ghosts_.arrival_count());
-  });
-  ghosts_.forward(sizeof(Traveller), leaving.data(), arriving.data());
+  together(comm_, [&] { rows = selection->rows_for(boxes, static_cast<size_t>(rank_)); });
+  ghosts_.plan(owned_, rows);
+  const auto arriving = ghosts_.send<Traveller>([&](size_t row) { return particles_.pack(row, 0); });
   together(comm_, [&] {
     particles_.resize(owned_ + arriving.size());
     ghost_owners_.resize(arriving.size());
@@ -156,61 +158,31 @@ void World::choose_ghosts() {
   usable_ = true;
 }
 
-// The boxes of all ranks; those of rank k are (*begin)[k] .. (*begin)[k + 1] - 1.
-std::vector<SizeBox> World::gather_boxes(std::vector<SizeBox> mine, std::vector<size_t> *begin) const {
+BoxesOfRanks World::gather_boxes(const std::vector<SizeBox> &mine) const {
   const auto ranks = static_cast<size_t>(size_);
   std::vector<int> counts, places;
-  std::vector<SizeBox> all;
+  BoxesOfRanks all;
   together(comm_, [&] {
     counts.resize(ranks);
     places.resize(ranks);
-    begin->assign(ranks + 1, 0);
+    all.begin.assign(ranks + 1, 0);
   });
   // In bytes: a box is 72 of them, and a rank has a few boxes.
   const int bytes = static_cast<int>(mine.size() * sizeof(SizeBox));
   check_mpi(MPI_Allgather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_), "MPI_Allgather");
   together(comm_, [&] {
     for (size_t k = 0; k < ranks; k++) {
-      const size_t end = (*begin)[k] + static_cast<size_t>(counts[k]) / sizeof(SizeBox);
+      const size_t end = all.begin[k] + static_cast<size_t>(counts[k]) / sizeof(SizeBox);
       if (end * sizeof(SizeBox) > INT32_MAX) fail(HG_ERR_LIMIT, "more than 2^31 - 1 bytes of boxes");
-      places[k] = static_cast<int>((*begin)[k] * sizeof(SizeBox));
-      (*begin)[k + 1] = end;
+      places[k] = static_cast<int>(all.begin[k] * sizeof(SizeBox));
+      all.begin[k + 1] = end;
     }
-    all.resize(begin->back());
+    all.boxes.resize(all.begin.back());
   });
-  check_mpi(MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.data(), counts.data(), places.data(), MPI_BYTE, comm_),
-            "MPI_Allgatherv");
+  check_mpi(
+      MPI_Allgatherv(mine.data(), bytes, MPI_BYTE, all.boxes.data(), counts.data(), places.data(), MPI_BYTE, comm_),
+      "MPI_Allgatherv");
   return all;
-}
-
-// Each particle once to each rank that has a smaller one in its reach, whatever the number of periods.
-std::vector<std::vector<int32_t>> World::rows_to_send(const std::vector<SizeBox> &boxes,
-                                                      const std::vector<size_t> &begin) const {
-  std::vector<std::vector<int32_t>> rows(static_cast<size_t>(size_));
-  const auto own = static_cast<size_t>(rank_);
-  std::vector<SizeBox> near;
-  for (size_t k = 0; k < rows.size(); k++) {
-    if (k == own) continue;
-    // Their boxes that any of ours may meet: most ranks have none.
-    near.clear();
-    for (size_t theirs = begin[k]; theirs < begin[k + 1]; theirs++) {
-      for (size_t mine = begin[own]; mine < begin[own + 1]; mine++) {
-        if (!rule_.may_meet(boxes[theirs], boxes[mine])) continue;
-        near.push_back(boxes[theirs]);
-        break;
-      }
-    }
-    if (near.empty()) continue;
-    for (size_t row = 0; row < owned_; row++) {
-      const double *center = particles_.center(row);
-      const double radius = particles_.radii[row];
-      if (std::any_of(near.begin(), near.end(),
-                      [&](const SizeBox &theirs) { return rule_.may_meet(theirs, center, radius); })) {
-        rows[k].push_back(static_cast<int32_t>(row));
-      }
-    }
-  }
-  return rows;
 }
 
 bool World::moved_too_far(const double *centers, const double *radii) const {
@@ -226,17 +198,16 @@ bool World::moved_too_far(const double *centers, const double *radii) const {
 
 bool World::move(size_t count, const double *centers, const double *radii) {
   // Whether radii are new, and whether ghosts must be chosen anew: of this rank, then of any.
-  int mine[2] = {0, 0}, any[2] = {0, 0};
-  together(comm_, [&] {
+  Numbers any{0, 0};
+  together_most(comm_, any, [&] {
     check_usable();
     if (count != owned_) fail(HG_ERR_ARGUMENT, "count = %zu, but this rank owns %zu particles", count, owned_);
     check_numbers(count, centers, radii);
-    mine[0] = radii != nullptr ? 1 : 0;
+    any[0] = radii != nullptr ? 1 : 0;
     // Radii that stay since an earlier move may have grown since ghosts were chosen.
     const double *now = radii != nullptr || count == 0 ? radii : particles_.radii.data();
-    mine[1] = moved_too_far(centers, now) ? 1 : 0;
+    any[1] = moved_too_far(centers, now) ? 1 : 0;
   });
-  check_mpi(MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, comm_), "MPI_Allreduce");
   if (any[0] != 0) check_cell(count, radii != nullptr ? radii : particles_.radii.data());
   usable_ = false;
   std::copy(centers, centers + count * particles_.dimension, particles_.centers.begin());
@@ -255,16 +226,11 @@ void World::update_ghosts() {
     double radius;
   };
   const size_t d = particles_.dimension;
-  std::vector<Place> leaving, arriving;
-  together(comm_, [&] {
-    leaving.resize(owned_);
-    arriving.resize(ghosts_.arrival_count());
-    for (size_t k = 0; k < owned_; k++) {
-      std::copy(particles_.center(k), particles_.center(k) + d, leaving[k].center);
-      leaving[k].radius = particles_.radii[k];
-    }
+  const auto arriving = ghosts_.send<Place>([&](size_t row) {
+    Place place{{0, 0, 0}, particles_.radii[row]};
+    std::copy_n(particles_.center(row), d, place.center);
+    return place;
   });
-  ghosts_.forward(sizeof(Place), leaving.data(), arriving.data());
   together(comm_, [&] {
     for (size_t k = 0; k < arriving.size(); k++) {
       std::copy(arriving[k].center, arriving[k].center + d, &particles_.centers[(owned_ + k) * d]);
@@ -285,15 +251,14 @@ std::vector<double> World::weights_of_pairs() {
 
 void World::balance(const double *weights) {
   // Whether this rank has weights, and whether it lacks them; one without particles need not say.
-  int mine[2] = {0, 0}, any[2] = {0, 0};
-  together(comm_, [&] {
+  Numbers any{0, 0};
+  together_most(comm_, any, [&] {
     check_usable();
-    mine[weights != nullptr ? 0 : 1] = owned_ > 0 ? 1 : 0;
+    any[weights != nullptr ? 0 : 1] = owned_ > 0 ? 1 : 0;
     for (size_t k = 0; k < owned_ && weights != nullptr; k++) {
       if (!std::isfinite(weights[k]) || weights[k] < 0) fail(HG_ERR_ARGUMENT, "weights[%zu] is %g", k, weights[k]);
     }
   });
-  check_mpi(MPI_Allreduce(mine, any, 2, MPI_INT, MPI_MAX, comm_), "MPI_Allreduce");
   std::vector<double> used;
   together(comm_, [&] {
     if (any[0] != 0 && any[1] != 0) fail(HG_ERR_ARGUMENT, "weights are given on some ranks only");
@@ -306,13 +271,8 @@ void World::balance(const double *weights) {
     rows.resize(static_cast<size_t>(size_));
     for (size_t k = 0; k < owned_; k++) rows[static_cast<size_t>(owners[k])].push_back(static_cast<int32_t>(k));
   });
-  migration_.plan(comm_, owned_, rows);
-  std::vector<Traveller> leaving, arriving;
-  together(comm_, [&] {
-    for (size_t k = 0; k < owned_; k++) leaving.push_back(particles_.pack(k, used[k]));
-    arriving.resize(migration_.arrival_count());
-  });
-  migration_.forward(sizeof(Traveller), leaving.data(), arriving.data());
+  migration_.plan(owned_, rows);
+  const auto arriving = migration_.send<Traveller>([&](size_t row) { return particles_.pack(row, used[row]); });
   double weight = 0;
   together(comm_, [&] {
     particles_.resize(arriving.size());
@@ -328,21 +288,18 @@ void World::balance(const double *weights) {
 }
 
 void World::migrate(size_t row_bytes, const void *before, void *after) {
-  together(comm_, [&] {
+  migration_.forward(row_bytes, before, after, [&] {
     check_usable();
     if (!balanced_) fail(HG_ERR_STATE, "no hg_mpi_balance since hg_mpi_set: there is nothing to follow");
   });
-  migration_.forward(row_bytes, before, after);
 }
 
 void World::forward(size_t row_bytes, const void *owned, void *ghosts) {
-  together(comm_, [&] { check_usable(); });
-  ghosts_.forward(row_bytes, owned, ghosts);
+  ghosts_.forward(row_bytes, owned, ghosts, [&] { check_usable(); });
 }
 
 void World::add_back(size_t columns, const double *ghosts, double *owned) {
-  together(comm_, [&] { check_usable(); });
-  ghosts_.add_back(columns, ghosts, owned);
+  ghosts_.add_back(columns, ghosts, owned, [&] { check_usable(); });
 }
 
 // New numbers of the owned particles, `none` if there are none, and of their ghosts.
@@ -352,7 +309,7 @@ void World::spread(size_t count, const int32_t *numbers, int32_t none, std::vect
     fresh.assign(particles_.count(), none);
     if (numbers != nullptr) std::copy(numbers, numbers + count, fresh.begin());
   });
-  ghosts_.forward(sizeof(int32_t), fresh.data(), fresh.data() + owned_);
+  ghosts_.forward(sizeof(int32_t), fresh.data(), fresh.data() + owned_, [] {});
   particles_.*column = std::move(fresh);
 }
 

@@ -6,7 +6,7 @@
 #include "mpi/local_search.hpp"
 #include "mpi/particles.hpp"
 #include "mpi/route.hpp"
-#include "mpi/size_boxes.hpp"
+#include "mpi/selection.hpp"
 
 #include <hgrid/mpi.h>
 
@@ -49,9 +49,7 @@ class World {
   void check_cell(size_t count, const double *radii);
   bool moved_too_far(const double *centers, const double *radii) const;
   void choose_ghosts();
-  std::vector<SizeBox> gather_boxes(std::vector<SizeBox> mine, std::vector<size_t> *begin) const;
-  std::vector<std::vector<int32_t>> rows_to_send(const std::vector<SizeBox> &boxes,
-                                                 const std::vector<size_t> &begin) const;
+  BoxesOfRanks gather_boxes(const std::vector<SizeBox> &mine) const;
   void update_ghosts();
   void spread(size_t count, const int32_t *numbers, int32_t none, std::vector<int32_t> Particles::*column);
   std::vector<double> weights_of_pairs();

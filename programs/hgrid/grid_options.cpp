@@ -21,32 +21,6 @@ int32_t accuracy_of(const std::string &word) {
   return word == "float" ? HG_FLOAT : HG_EXACT;
 }
 
-// The result points into `cell_sizes`.
-hg_grid_def grid_def(const GridOptions &options, const particles::ParticleSet &particles,
-                     const std::vector<double> &cell_sizes) {
-  hg_grid_def def = hg_default_grid_def();
-  particles::set_box(particles, def);
-  def.index_base = options.index_base;
-  def.margin = options.margin;
-  def.interaction = options.max_range ? HG_MAX_RANGE : HG_CONTACT;
-  def.touching = options.touching ? 1 : 0;
-  def.images = options.images == "all" ? HG_ALL_IMAGES : HG_NEAREST_IMAGE;
-  def.accuracy = accuracy_of(options.accuracy);
-  def.pair_order = options.order == "id" ? HG_ORDER_ID : HG_ORDER_GRID;
-  def.level_rule = options.levels == "paper" ? HG_LEVELS_PAPER : HG_LEVELS_AUTO;
-  def.level_count = options.level_count;
-  if (!cell_sizes.empty()) {
-    def.level_rule = HG_LEVELS_USER;
-    def.level_count = static_cast<int32_t>(cell_sizes.size());
-    def.cell_sizes = cell_sizes.data();
-  }
-  def.cell_overhead = options.cell_overhead;
-  def.level_price = options.level_price;
-  def.row_price = options.row_price;
-  def.thread_count = options.threads;
-  return def;
-}
-
 }  // namespace
 
 void add_price_options(CLI::App &command, double &level_price, double &row_price, const std::string &group,
@@ -102,6 +76,31 @@ void add_grid_options(CLI::App &command, GridOptions &options) {
       ->capture_default_str()
       ->check(CLI::Range(0, kMostThreads))
       ->group(group);
+}
+
+hg_grid_def grid_def(const GridOptions &options, const particles::ParticleSet &particles,
+                     const std::vector<double> &cell_sizes) {
+  hg_grid_def def = hg_default_grid_def();
+  particles::set_box(particles, def);
+  def.index_base = options.index_base;
+  def.margin = options.margin;
+  def.interaction = options.max_range ? HG_MAX_RANGE : HG_CONTACT;
+  def.touching = options.touching ? 1 : 0;
+  def.images = options.images == "all" ? HG_ALL_IMAGES : HG_NEAREST_IMAGE;
+  def.accuracy = accuracy_of(options.accuracy);
+  def.pair_order = options.order == "id" ? HG_ORDER_ID : HG_ORDER_GRID;
+  def.level_rule = options.levels == "paper" ? HG_LEVELS_PAPER : HG_LEVELS_AUTO;
+  def.level_count = options.level_count;
+  if (!cell_sizes.empty()) {
+    def.level_rule = HG_LEVELS_USER;
+    def.level_count = static_cast<int32_t>(cell_sizes.size());
+    def.cell_sizes = cell_sizes.data();
+  }
+  def.cell_overhead = options.cell_overhead;
+  def.level_price = options.level_price;
+  def.row_price = options.row_price;
+  def.thread_count = options.threads;
+  return def;
 }
 
 hgrid::Grid filled_grid(const GridOptions &options, const particles::ParticleSet &particles, const std::string &file) {

@@ -8,6 +8,7 @@
 #include <hgrid/hgrid.hpp>
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -40,6 +41,10 @@ void add_grid_options(CLI::App &command, GridOptions &options);
 // Adds --level-price and --row-price, the prices of `hgrid calibrate`, which do not go with `instead`.
 void add_price_options(CLI::App &command, double &level_price, double &row_price, const std::string &group,
                        CLI::Option *instead);
+
+// What the options say, of these particles' box. The result points into `cell_sizes`, ascending, unless it is empty.
+hg_grid_def grid_def(const GridOptions &options, const particles::ParticleSet &particles,
+                     const std::vector<double> &cell_sizes);
 
 // A grid for these particles as the options say; dimension, box and periodic axes are theirs. `file` is named where the
 // library refuses them.

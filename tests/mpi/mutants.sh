@@ -42,19 +42,21 @@ mutant() {
 }
 
 pairs='pairs are wrong'
-mutant reach size_boxes.cpp 's/return (max_range_.*;/return 0.98 * ((max_range_ ? larger : larger + smaller) + margin_ + skin_);/' \
+mutant reach selection.cpp 's/rule_.reach(\(.*)\))\(.*;\)/(0.98 * rule_.reach(\1))\2/' \
   "$fuzz" "$pairs" 3 200
 mutant lost_ties local_search.cpp 's/return ra != rb ? ra < rb : .*;/return ra < rb;/' "$fuzz" "$pairs" 3 40
 mutant doubled_ties local_search.cpp 's/return ra != rb ? ra < rb : .*;/return ra <= rb;/' "$fuzz" "$pairs" 3 40
 mutant radii_of_now local_search.cpp 's/^void LocalSearch::move.*/&\n  ranking_radii_ = particles.radii;/' \
   "$fuzz" "$pairs" 3 200
-mutant no_skin size_boxes.cpp 's/ + margin_ + skin_;/ + margin_;/' "$fuzz" "$pairs" 3 200
-shift='for (int axis = 0; axis < 3; axis++) if (grid_def_.periodic[axis] != 0) leaving.back().center[axis] += '
+mutant no_skin world.cpp 's/rule_(grid_def)/rule_([\&] { hg_grid_def def = grid_def; def.skin = 0; return def; }())/' \
+  "$fuzz" "$pairs" 3 200
+shift='for (int axis = 0; axis < 3; axis++) if (grid_def_.periodic[axis] != 0) sent.center[axis] += '
 shift+='grid_def_.box_max[axis] - grid_def_.box_min[axis];'
-mutant shifted_copies world.cpp "s/leaving.push_back(particles_.pack(k, 0));/{ & $shift }/" "$fuzz" "$pairs" 3 40
+mutant shifted_copies world.cpp "s/return particles_.pack(row, 0);/{ auto sent = particles_.pack(row, 0); $shift return sent; }/" \
+  "$fuzz" "$pairs" 3 40
 # Boxes of where particles were when owners or ghosts were chosen last, as the cuts of a partition are.
 cuts='(chosen_centers_.size() == owned_ * particles_.dimension ? chosen_centers_ : particles_.centers)'
-mutant cuts world.cpp "s/boxes = make_size_boxes(rule_.cell(), owned_, particles_.centers/boxes = make_size_boxes(rule_.cell(), owned_, $cuts/" \
+mutant cuts world.cpp "s/selection.emplace(rule_, owned_, particles_.centers/selection.emplace(rule_, owned_, $cuts/" \
   "$fuzz" "$pairs" 3 200
 # Right, but with more ghosts than the rule needs.
-mutant no_smallest size_boxes.cpp '/if (others.smallest > /d' "$steps" 'one giant is the only ghost' 3
+mutant no_smallest selection.cpp '/if (.*smallest.*) return/d' "$steps" 'one giant is the only ghost' 3

@@ -76,7 +76,7 @@ def check_command(build, words):
         yield f"calls {words[0]}, which is not there"
         return
     options = [option[0] for option in (re.match(r"--[\w-]+", word) for word in words[1:]) if option]
-    subcommand = words[1:2] if path.name == "hgrid" and not words[1].startswith("-") else []
+    subcommand = words[1:2] if path.name in ("hgrid", "hgrid-mpi") and not words[1].startswith("-") else []
     for option in options:
         if not re.search(rf"(?<![\w-]){option}(?![\w-])", build.help(path, tuple(subcommand))):
             yield f"calls {' '.join(words[:2])} with {option}, which its help does not tell"
