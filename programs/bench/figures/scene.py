@@ -34,12 +34,15 @@ def shades():
     return [tuple(int(v) for v in triple) for triple in re.findall(r"\{(\d+), (\d+), (\d+)\}", "{" + table[1] + "}")]
 
 
-def colour(share, palette):
-    """share: 0 for the smallest, 1 for the largest."""
+def srgb(share, palette):
+    """share: 0 for the smallest, 1 for the largest. Components from 0 to 255."""
     place = (1 - share) * (len(palette) - 1)
     below = min(int(place), len(palette) - 2)
-    mixed = [a + (place - below) * (b - a) for a, b in zip(palette[below], palette[below + 1])]
-    return "srgb <{:.3f}, {:.3f}, {:.3f}>".format(*(v / 255 for v in mixed))
+    return [a + (place - below) * (b - a) for a, b in zip(palette[below], palette[below + 1])]
+
+
+def colour(share, palette):
+    return "srgb <{:.3f}, {:.3f}, {:.3f}>".format(*(v / 255 for v in srgb(share, palette)))
 
 
 def read_packing(path):

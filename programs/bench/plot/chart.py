@@ -13,15 +13,18 @@ COLOURS = (
     ("#c46f16", "#f0a858"),
     ("#b83280", "#f08cc4"),
     ("#6b7280", "#a3adb8"),
+    ("#6d4fa3", "#b9a3e8"),
 )
 
 PANEL_WIDTH, PANEL_HEIGHT, LEFT, LABELS, TOP, BOTTOM = 240, 230, 62, 122, 40, 56
 FONT_SIZE = 12
+LETTER_WIDTH = 6.1  # of a label, on average
 
 
 class Line:
     """A line of one panel: `points` are (x, y) or (x, y, low, high), the latter drawn as a band.
-    `dots`: no line, but rings."""
+    `notes` stand above the first points. `dots`: no line, but rings, with notes (words, right, down, anchor) that many
+    pixels from each."""
 
     def __init__(self, label, points, colour, dashed=False, notes=(), dots=False):
         self.label, self.colour, self.dashed, self.notes, self.dots = label, colour, dashed, list(notes), dots
@@ -29,10 +32,12 @@ class Line:
 
 
 class Axis:
-    """Maps values to pixels. Logarithmic axes show powers of ten and, on short ranges, 2 and 5 times these."""
+    """Maps values to pixels. Logarithmic axes show powers of ten and, on short ranges, 2 and 5 times these, or what of
+    `marks` lies on them."""
 
-    def __init__(self, label, values, logarithmic, from_zero=False, whole=False):
+    def __init__(self, label, values, logarithmic, from_zero=False, whole=False, marks=()):
         self.label, self.logarithmic, self.smallest_step = label, logarithmic, 1 if whole else 0
+        self.marks = marks
         low, high = min(values), max(values)
         if from_zero:
             low = 0
@@ -55,6 +60,8 @@ class Axis:
             step = max(step, self.smallest_step)
             first = math.ceil(self.low / step - 1e-9)
             return [k * step for k in range(first, math.floor(self.high / step + 1e-9) + 1)]
+        if self.marks:
+            return [mark for mark in self.marks if self.low <= mark <= self.high]
         decades = range(math.floor(math.log10(self.low)), math.ceil(math.log10(self.high)) + 1)
         factors = (1,) if math.log10(self.high / self.low) > 1.8 else (1, 2, 5)
         ticks = [f * 10.0**d for d in decades for f in factors]
@@ -147,9 +154,12 @@ def draw_line(picture, line, place):
         corners = " ".join(f"{x:.1f},{y:.1f}" for x, y in edge)
         picture.add(f'<polygon points="{corners}" class="b{line.colour}"/>')
     if line.dots:
-        for point in line.points:
+        for k, point in enumerate(line.points):
             x, y = place(point[0], point[1])
             picture.add(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4.5" class="l{line.colour}"/>')
+            if k < len(line.notes):
+                words, right, down, anchor = line.notes[k]
+                picture.text(x + right, y + down, html.escape(words), f"t{line.colour}", anchor, size=11)
         return
     corners = " ".join("{:.1f},{:.1f}".format(*place(p[0], p[1])) for p in line.points)
     dash = ' stroke-dasharray="5 4"' if line.dashed else ""
@@ -162,17 +172,22 @@ def draw_line(picture, line, place):
             picture.text(x, y - 8, html.escape(line.notes[k]), "muted", size=10)
 
 
-def draw_chart(path, panels, x_label, y_label, x_log=True, y_log=True, from_zero=False, whole=False):
-    """panels: list of (title, [Line]); one y axis for all of them. `whole`: x counts something."""
+def draw_chart(path, panels, x_label, y_label, x_log=True, y_log=True, from_zero=False, whole=False, marks=(), room=()):
+    """panels: list of (title, [Line]); one y axis for all of them, and one x axis too if `marks` name its ticks. `whole`:
+    x counts something. `room`: y values that also belong on the axis."""
     heights = [h for _, lines in panels for line in lines for p in line.points for h in p[1:]]
-    y_axis = Axis(y_label, heights, y_log, from_zero)
+    y_axis = Axis(y_label, heights + list(room), y_log, from_zero)
+    all_places = [p[0] for _, lines in panels for line in lines for p in line.points]
     columns = len(panels) if len(panels) <= 3 else 2
     rows = -(-len(panels) // columns)
-    wide, high = LEFT + PANEL_WIDTH + LABELS, TOP + PANEL_HEIGHT + BOTTOM
+    longest = max(len(line.label) for _, lines in panels for line in lines)
+    labels = max(LABELS, math.ceil(LETTER_WIDTH * longest) + 12)
+    wide, high = LEFT + PANEL_WIDTH + labels, TOP + PANEL_HEIGHT + BOTTOM
     picture = Picture(wide * columns, high * rows)
     for k, (title, lines) in enumerate(panels):
         left, top = LEFT + k % columns * wide, TOP + k // columns * high
-        x_axis = Axis(x_label, [p[0] for line in lines for p in line.points], x_log, whole=whole)
+        places = all_places if marks else [p[0] for line in lines for p in line.points]
+        x_axis = Axis(x_label, places, x_log, whole=whole, marks=marks)
 
         def place(x, y, left=left, top=top, x_axis=x_axis):
             return left + PANEL_WIDTH * x_axis.share(x), top + PANEL_HEIGHT * (1 - y_axis.share(y))

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws Figs. 4 and 5 of Ogarko & Luding (2012) from what programs/bench/figures/figure4.sh and figure5.sh have measured:
+"""Draws Figs. 4 and 5 of Ogarko & Luding (2012) from what programs/bench/figures/figure4.sh, density.sh and figure5.sh
+have measured:
 
-    python3 programs/bench/plot/figures.py --output docs/evidence/images figure4.csv figure5.csv
+    python3 programs/bench/plot/figures.py --output docs/evidence/images figure4.csv density.csv figure5.csv
 
 and prints the values that docs/evidence/reproduction.md quotes.
 """
@@ -18,16 +19,33 @@ from measured import STEP_NUMBERS, in_order, read
 NAMES = {"library": "libhgrid", "plain": "sorted cells", "hashed": "hashed lists"}
 MOST_FITTED = 20  # levels; with more, memory decides
 OUT_OF_CACHE = 30000  # particles: from there on slopes are those of memory, not of growing out of caches
+PAPER_DENSITY = "0.62"
 OVERHEAD = 0.3  # K of Eq. 7, as in the paper's Fig. 4
-# What the text of the paper says about its Fig. 4: (levels, slow-down).
-PAPER_FIGURE_4 = {"uniform-size": [(1, 1.3), (2, 1)], "uniform-volume": [(1, 220), (8, 1)]}
+LEVEL_MARKS = (1, 2, 4, 8, 16, 32)
+BELOW_ONE = 0.4  # where the vertical axis of Fig. 4 begins: the notes of the paper's best levels stand there
+# What the text of the paper says about its Fig. 4: (levels, slow-down), and notes beside these.
+PAPER_FIGURE_4 = {
+    "uniform-size": (
+        [(1, 1.3), (2, 1)],
+        [("+ 30 %", -4, -17, "start"), ("fastest: 2", -4, 19, "start")],
+    ),
+    "uniform-volume": (
+        [(1, 220), (8, 1)],
+        [("220 times", 10, 2, "start"), ("fastest: 8", 0, 19, "middle")],
+    ),
+}
 PAPER_LARGEST = 1.5  # of Fig. 5: uniform volume, ratio 10
-OURS, COST, FITTED, PAPER = 0, 4, 2, 3
+OURS, COST, FITTED, PAPER, MONO = 0, 4, 2, 3, 5
+TIME_COLOURS = (MONO, 0, 1, 2)  # of equal spheres, and of the others as in the picture of relative times
 
 
 def law_of(row):
-    """hgrid_dem calls a system by its scene, LAW-RATIO-COUNT."""
+    """hgrid_dem calls a system by its scene, LAW-RATIO-COUNT or, of another density than 0.62, LAW-RATIO-COUNT@DENSITY."""
     return row.system.rsplit("-", 2)[0]
+
+
+def density_of(row):
+    return row.system.partition("@")[2] or PAPER_DENSITY
 
 
 def law_text(row):
@@ -85,28 +103,35 @@ def figure_4_panel(rows):
     measured = [(r.levels, r.ns / best.ns, *(q / best.ns for q in r.spread)) for r in rows]
     errors = [abs(f[1] / m[1] - 1) for f, m in zip(fitted, measured) if f[0] <= MOST_FITTED]
     slowdown = {r.levels: f"{r.ns / best.ns:.3g}" for r in rows}
+    law, density = law_of(rows[0]).replace("-", " "), density_of(rows[0])
     print(
-        f"| {law_of(rows[0]).replace('-', ' ')} | {NAMES[best.contestant]} | {best.levels:.0f} | {best.ns:.0f} | "
+        f"| {law if density == PAPER_DENSITY else 'density ' + density} | {NAMES[best.contestant]} | {best.levels:.0f} | {best.ns:.0f} | "
         f"{' | '.join(slowdown.get(levels, '-') for levels in (1, 2, 7))} | {a:.2g} | {overhead} | "
         f"{constant:.0f} | {100 * max(errors):.0f} % |"
     )
-    return [
+    lines = [
         Line(NAMES[best.contestant], measured, OURS),
         Line("Eq. 7, K = 0.3", predicted, COST, dashed=True),
         Line(f"fit, K = {overhead}" if a > 0 else "fit, no m", fitted, FITTED, dashed=True),
-        Line("paper", PAPER_FIGURE_4[law_of(rows[0])], PAPER, dots=True),
     ]
+    if density == PAPER_DENSITY:
+        points, notes = PAPER_FIGURE_4[law_of(rows[0])]
+        lines.append(Line("rings: the paper", points, PAPER, notes=notes, dots=True))
+    return lines
 
 
 def draw_figure_4(rows, path):
     head = "system | search | best L | its ns | T(1) / T(best) | T(2) | T(7) | a | K | c | worst of the fit"
     print(f"| {head} |\n" + "|---" * 11 + "|")
+    other = any(density_of(row) != PAPER_DENSITY for row in rows)
     panels = []
     for name in in_order(r.contestant for r in rows):
-        for law in in_order(law_of(r) for r in rows if r.contestant == name):
-            group = [r for r in rows if r.contestant == name and law_of(r) == law]
-            panels.append((f"{law.replace('-', ' ')}, {NAMES[name]}", figure_4_panel(group)))
-    draw_chart(path, panels, "levels L", "slow-down T(L) / T(best)")
+        own = [r for r in rows if r.contestant == name]
+        for system in in_order((law_of(r), density_of(r)) for r in own):
+            title = f"density {system[1]}" if other else system[0].replace("-", " ")
+            group = [r for r in own if (law_of(r), density_of(r)) == system]
+            panels.append((f"{title}, {NAMES[name]}", figure_4_panel(group)))
+    draw_chart(path, panels, "levels L", "slow-down T(L) / T(best)", marks=LEVEL_MARKS, room=(BELOW_ONE,))
 
 
 def program_text(row):
@@ -152,11 +177,31 @@ def draw_figure_5(rows, path):
             slopes = [slope_text([(n, n * r.ns) for n, r in own.items() if n >= least]) for least in (0, OUT_OF_CACHE)]
             print(f"| {name} | {law} | " + " | ".join(cells + slopes) + " |")
         counts = [r.particles for r in group]
-        lines.append(Line("paper, largest", [(n, PAPER_LARGEST) for n in (min(counts), max(counts))], PAPER, True))
+        ends = min(counts), max(counts)
+        lines.append(Line("paper, ratio 10: + 50 %", [(n, PAPER_LARGEST) for n in ends], PAPER, True))
+        lines.append(Line("equal spheres", [(n, 1) for n in ends], COST, True))
         panels.append((name, lines))
     draw_chart(path, panels, "particles N", "time / time of equal spheres", y_log=False, from_zero=True)
+    draw_times(rows, path.with_stem(path.stem + "-time"))
 
 
+def draw_times(rows, path):
+    """The times themselves, beside a line on which they are proportional to N."""
+    panels = []
+    for name in in_order(map(program_text, rows)):
+        group = [r for r in rows if program_text(r) == name]
+        lines = []
+        for k, law in enumerate(in_order(map(law_text, group))):
+            points = [(r.particles, r.particles * r.ns / 1e6) for r in group if law_text(r) == law]
+            lines.append(Line(law.replace("uniform ", "").replace("mono", "equal spheres"), points, TIME_COLOURS[k]))
+        (first, least), last = lines[0].points[0], lines[0].points[-1][0]
+        lines.append(Line("proportional to N", [(first, least), (last, least * last / first)], COST, True))
+        panels.append((name, lines))
+    draw_chart(path, panels, "particles N", "ms per step")
+    print(path)
+
+
+DENSITY_FIGURE = "figure4-density.svg"
 FIGURES = {"levels": ("figure4.svg", draw_figure_4), "size": ("figure5.svg", draw_figure_5)}
 
 
@@ -167,10 +212,13 @@ def main():
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
     rows = [row for row in read(arguments.csv, STEP_NUMBERS, "hgrid_dem") if row.ns is not None]
-    for sweep in in_order(row.sweep for row in rows if row.sweep):
+    # The paper's density and others are two pictures.
+    kinds = [(row.sweep, row.sweep == "levels" and density_of(row) != PAPER_DENSITY) for row in rows]
+    for sweep, is_other in in_order(kind for kind in kinds if kind[0]):
         name, draw = FIGURES[sweep]
-        draw([row for row in rows if row.sweep == sweep], arguments.output / name)
-        print(arguments.output / name)
+        path = arguments.output / (DENSITY_FIGURE if is_other else name)
+        draw([row for row, kind in zip(rows, kinds) if kind == (sweep, is_other)], path)
+        print(path)
 
 
 if __name__ == "__main__":
