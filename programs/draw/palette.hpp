@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
 #include <iterator>
 #include <string>
 
@@ -44,8 +45,15 @@ inline Color level_color(size_t level, size_t level_count) {
 
 // What is pointed out, and the first series.
 constexpr const char kAccent[] = "#1c6ea4";
-constexpr const char *kSeriesColors[] = {kAccent, "#d46254", "#3e347a", "#2f8f6b", "#c98a1b", "#7a7a7a"};
+constexpr const char *kSeriesColors[] = {kAccent, "#d46254", "#3e347a", "#2f8f6b", "#c98a1b", "#7a7a7a", "#b0468f"};
 
 inline std::string series_color(size_t series) { return kSeriesColors[series % std::size(kSeriesColors)]; }
+
+// The same for words, dark enough to be read on white.
+inline std::string series_ink(size_t series) {
+  unsigned red = 0, green = 0, blue = 0;
+  std::sscanf(series_color(series).c_str(), "#%2x%2x%2x", &red, &green, &blue);
+  return color_text(darker({static_cast<double>(red), static_cast<double>(green), static_cast<double>(blue)}));
+}
 
 }  // namespace draw

@@ -60,6 +60,12 @@ void Svg::line(Point from, Point to, const std::string &style) {
   *this << "/>\n";
 }
 
+void Svg::polyline(const std::vector<Point> &points, const std::string &style) {
+  *this << "<polyline points=\"";
+  for (const Point &point : points) *this << point.x << "," << point.y << " ";
+  *this << "\" " << style << "/>\n";
+}
+
 void Svg::text(Point baseline, const std::string &content, double size, const std::string &style) {
   *this << "<text x=\"" << baseline.x << "\" y=\"" << baseline.y
         << "\" font-family=\"Helvetica, Arial, sans-serif\" fill=\"#222\" font-size=\"" << size << "\" " << style << ">"

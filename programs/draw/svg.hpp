@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace draw {
 
@@ -25,6 +26,7 @@ class Svg {
   void rectangle(const Frame &frame, const std::string &style);
   void circle(Point center, double radius, const std::string &style);
   void line(Point from, Point to, const std::string &style);
+  void polyline(const std::vector<Point> &points, const std::string &style);
   // `content` may hold any characters; `size` is that of the letters, in the one font of all pictures.
   void text(Point baseline, const std::string &content, double size, const std::string &style = "");
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Fronts, their slopes, their picture and their file, on made-up points whose answer is known.
+#include "programs/accuracy/report/error_picture.hpp"
+#include "programs/accuracy/report/number_picture.hpp"
 #include "programs/accuracy/report/pareto_front.hpp"
-#include "programs/accuracy/report/pareto_picture.hpp"
 #include "programs/accuracy/report/points_file.hpp"
 #include "programs/accuracy/report/report.hpp"
 #include "tests/support/frame.h"
@@ -73,37 +74,47 @@ size_t count_of(const std::string &text, const std::string &part) {
   return count;
 }
 
-// A circle for each point, another around the default, one in the legend; a line between the points of the front. A
-// parameter that is never wrong has no panel.
+// A circle for each point, another around the default, one in the legend; a line between the points of the front and
+// one in the legend. A knob without points is left out.
 bool the_picture_holds_all_points() {
-  const std::vector<accuracy::Study> studies = {{"parameter", "The title", "", nullptr},
-                                                {"exact", "Not drawn", "", nullptr}};
-  std::vector<Point> points = {point("a", 1e-1, 10, true), point("b", 1e-3, 40), point("c", 0, 60)};
-  points.push_back(point("d", 0, 5));
-  points.back().parameter = "exact";
-  const std::string picture = accuracy::pareto_picture(studies, points);
-  const std::string front = "stroke-width=\"1.5\"/>\n";
-  return count_of(picture, "<circle") == 5 && count_of(picture, front) == 2 + 1 &&
-         count_of(picture, "The title") == 1 && count_of(picture, "Not drawn") == 0;
+  const accuracy::Figure figure = {
+      "The title",
+      "the cost",
+      {{"The question",
+        {"the answer"},
+        [](const Point &p) { return p.parameter == "parameter"; },
+        accuracy::setting_of},
+       {"Not drawn", {}, [](const Point &p) { return p.parameter == "nothing"; }, accuracy::setting_of}}};
+  const std::vector<Point> points = {point("a", 1e-1, 10, true), point("b", 1e-3, 40), point("c", 0, 60),
+                                     point("d", 1e-2, 80)};
+  const std::string picture = accuracy::error_picture(figure, points);
+  return count_of(picture, "<circle") == 6 && count_of(picture, "stroke-width=\"1.5\"/>\n") == 2 + 1 &&
+         count_of(picture, "fill-opacity=\"0.4\"") == 1 && count_of(picture, "The title") == 1 &&
+         count_of(picture, "The question") == 1 && count_of(picture, "Not drawn") == 0;
 }
 
-// What changes the time alone is drawn over its numbers, all of them joined, and only where there are no errors to
-// draw.
+// Costs are shown in the unit of the picture: twice those of a point look like those of one twice as dear.
+bool a_knob_has_its_unit() {
+  accuracy::Figure figure = {"", "", {{"", {}, [](const Point &) { return true; }, accuracy::setting_of, 2}}};
+  const std::string twice = accuracy::error_picture(figure, {point("a", 1e-1, 10), point("b", 1e-2, 20)});
+  figure.knobs[0].times = 1;
+  return twice == accuracy::error_picture(figure, {point("a", 1e-1, 20), point("b", 1e-2, 40)});
+}
+
+// What changes the time alone is drawn over its numbers, all of them joined.
 bool numbers_have_a_picture_of_their_own() {
-  const std::vector<accuracy::Study> errors = {{"parameter", "The title", "", nullptr}},
-                                     numbers = {{"exact", "Numbers", "", nullptr, "levels"}};
+  const accuracy::Study errors = {"parameter", "The title", "", nullptr},
+                        numbers = {"exact", "Numbers", "", nullptr, "levels"};
   std::vector<Point> points = {point("a", 1e-1, 10), point("1 level", 0, 60, true), point("2 levels", 0, 50),
                                point("3 levels", 0, 70)};
   for (size_t k = 1; k < points.size(); k++) {
     points[k].parameter = "exact";
     points[k].number = static_cast<double>(k);
   }
-  const std::string alone = accuracy::pareto_picture(numbers, points);
-  const std::string both = accuracy::pareto_picture({errors[0], numbers[0]}, points);
-  const std::string report = accuracy::report({errors[0], numbers[0]}, points, accuracy::Style::kText);
-  return count_of(alone, "stroke-width=\"1.5\"/>\n") == 2 + 1 && count_of(alone, ">levels<") == 1 &&
-         count_of(alone, "error") == 0 && count_of(both, "Numbers") == 0 && count_of(both, "The title") == 1 &&
-         count_of(report, "3 levels") == 1;  // in its table, not among the digits
+  const std::string picture = accuracy::number_picture(numbers, points);
+  const std::string report = accuracy::report({errors, numbers}, points, accuracy::Style::kText);
+  return count_of(picture, "stroke-width=\"1.5\"/>\n") == 2 + 1 && count_of(picture, ">levels<") == 1 &&
+         count_of(picture, "error") == 0 && count_of(report, "3 levels") == 1;  // in its table, not among the digits
 }
 
 bool same(const Point &a, const Point &b) {
@@ -132,6 +143,7 @@ int main() {
                               cmocka_unit_test(passes<ties_prefer_the_default>),
                               cmocka_unit_test(passes<parameters_systems_and_errors_are_not_mixed>),
                               cmocka_unit_test(passes<the_picture_holds_all_points>),
+                              cmocka_unit_test(passes<a_knob_has_its_unit>),
                               cmocka_unit_test(passes<numbers_have_a_picture_of_their_own>),
                               cmocka_unit_test(passes<points_survive_a_file>)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);

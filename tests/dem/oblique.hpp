@@ -3,22 +3,15 @@
 // Oblique impacts of a rough sphere on a wall, for the tests of friction.
 #pragma once
 
+#include "programs/accuracy/simulation/oblique_impact.hpp"
 #include "tests/dem/bodies.hpp"
 
 #include <cstddef>
 
 namespace oblique {
 
-// Against the rigid wall x = 0 from the right, with tangential speed along y and spin about z, so that the surface
-// slips with tangential - radius * spin.
-struct Impact {
-  double radius, mass;
-  double normal, tangential, spin;
-};
-
-struct Motion {
-  double normal, tangential, spin;
-};
+using accuracy::Impact;
+using accuracy::Motion;
 
 inline dem::Setup rough_hertz(double young, double poisson, double restitution, double friction) {
   dem::Setup setup;

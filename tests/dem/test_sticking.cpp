@@ -8,6 +8,7 @@
 // w0^2 = 7/2 q k / m, h = 7/2 q eta, of the normal motion eta = c / (2 m). With u = u0 at first touch,
 // u(t_c) = u0 exp(-h t_c) (cos(w t_c) - h / w sin(w t_c)), w^2 = w0^2 - h^2. For q = 2/7 both motions are the same:
 // u(t_c) = -e u0.
+#include "programs/accuracy/simulation/oblique_impact.hpp"
 #include "tests/dem/oblique.hpp"
 #include "tests/support/frame.h"
 
@@ -20,8 +21,9 @@ namespace {
 constexpr double kSteps = 1000;  // per contact
 const double kNoSliding = 1e7;   // a coefficient of friction
 
-using oblique::Impact;
-using oblique::Motion;
+using accuracy::Impact;
+using accuracy::integrate;
+using accuracy::Motion;
 
 double slip_of(const Impact &impact) { return impact.tangential - impact.radius * impact.spin; }
 
@@ -38,60 +40,6 @@ double sticking_restitution(double e, double q) {
   const double normal_square = bodies::kPi * bodies::kPi + log_e * log_e;
   const double h = 3.5 * q * eta, w = std::sqrt(3.5 * q * normal_square - h * h);
   return std::exp(-h) * (std::cos(w) - h / w * std::sin(w));
-}
-
-// A contact with a wall at some overlap, from the material's numbers (docs/guide/simulation.md, What is computed).
-struct Law {
-  double normal, normal_damping;          // the spring's force, force per closing speed
-  double tangential, tangential_damping;  // force per stretch and per its rate
-};
-
-Law law_at(const dem::Setup &setup, double mass, double radius, double overlap) {
-  const dem::ContactParameters &p = setup.contact;
-  const double log_e = std::log(p.restitution);
-  const double loss = -log_e / std::sqrt(bodies::kPi * bodies::kPi + log_e * log_e);
-  if (!dem::has(setup.effects, dem::kHertz)) {
-    const double damping = 2 * loss * std::sqrt(mass * p.stiffness), q = p.tangential_stiffness;
-    return {p.stiffness * overlap, damping, q * p.stiffness, q * damping};
-  }
-  // Against a rigid wall E* = E / (1 - nu^2), G* = E / (2 (1 + nu) (2 - nu)); k_t = 8 G* a, k = 2 E* a.
-  const double nu = p.poisson_ratio, contact_radius = std::sqrt(radius * overlap);
-  const double e_star = p.young_modulus / (1 - nu * nu), g_star = p.young_modulus / (2 * (1 + nu) * (2 - nu));
-  const double root = std::sqrt(mass * 4 / 3 * e_star * std::sqrt(radius)) * std::pow(overlap, 0.25);
-  const double damping = std::sqrt(5.0) * loss * root;
-  return {4.0 / 3 * e_star * contact_radius * overlap, damping, 8 * g_star * contact_radius,
-          4 * g_star / e_star * damping};
-}
-
-// How fast the spring along the surface stretches: with the surface as long as spring and dashpot bear no more than the
-// slider does, else as fast as the rest of the limit drives the dashpot.
-double stretching(const Law &law, double limit, double stretch, double slip) {
-  const double sticking = law.tangential * stretch + law.tangential_damping * slip;
-  if (std::fabs(sticking) <= limit) return slip;
-  return (std::copysign(limit, sticking) - law.tangential * stretch) / law.tangential_damping;
-}
-
-// The same impact by many small steps of the equation of motion. Without a dashpot the spring bears the limit alone.
-Motion integrate(const dem::Setup &setup, const Impact &impact, double duration) {
-  const double h = duration / 400000, inertia = 0.4 * impact.mass * impact.radius * impact.radius;
-  double closing = impact.normal, overlap = h * closing, v = impact.tangential, spin = impact.spin, stretch = 0;
-  while (overlap > 0) {
-    const Law law = law_at(setup, impact.mass, impact.radius, overlap);
-    const double arm = impact.radius - overlap, slip = v - arm * spin, limit = setup.contact.friction * law.normal;
-    double rate = 0;
-    if (law.tangential_damping > 0) {
-      rate = stretching(law, limit, stretch, slip);
-      stretch += h * rate;
-    } else {
-      stretch = std::clamp(stretch + h * slip, -limit / law.tangential, limit / law.tangential);
-    }
-    const double force = -law.tangential * stretch - law.tangential_damping * rate;
-    closing -= h * (law.normal + law.normal_damping * closing) / impact.mass;
-    v += h * force / impact.mass;
-    spin -= h * arm * force / inertia;
-    overlap += h * closing;
-  }
-  return {-closing, v, spin};
 }
 
 bool is_near(const char *what, const Motion &found, const Motion &expected, const Impact &impact, double tolerance) {

@@ -21,7 +21,7 @@ const std::vector<Study> &search_studies() {
        "least cost less 1. Time: that of choosing, sorting of radii included; for the library, what a build takes "
        "longer than with the same cells given.",
        measure_level_choices},
-      {"levels", "How many levels",
+      {"levels", "How many levels?",
        "`hg_grid_def.level_count`. The pairs are the same: there is no error, only time. Time: one search, one thread.",
        measure_level_counts, "levels"},
       {"prefilter", "Boxes before spheres",

@@ -3,6 +3,7 @@
 // What is varied of the search, each study in a file of its name.
 #pragma once
 
+#include "programs/accuracy/figure.hpp"
 #include "programs/accuracy/study.hpp"
 
 #include <vector>
@@ -10,6 +11,7 @@
 namespace accuracy {
 
 const std::vector<Study> &search_studies();
+const Figure &search_figure();
 
 void measure_decision_rules(Recorder &record);
 void measure_rebuild_criteria(Recorder &record);

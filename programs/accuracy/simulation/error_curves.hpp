@@ -11,11 +11,14 @@
 
 namespace accuracy {
 
+enum class Contacts { kLinear, kHertz, kRough };
+
 // One kind of error of one scheme.
 struct ErrorCurve {
   std::string error_of;
   std::vector<double> steps;  // per contact
   std::vector<double> errors;
+  Contacts contacts = Contacts::kLinear;
 };
 
 // Laws are of leading order: they are fitted to the errors from here on.
@@ -24,7 +27,11 @@ constexpr double kFittedFrom = 20;
 // e of the collisions with a dashpot: a damping ratio of 0.2.
 constexpr double kDampedRestitution = 0.527;
 
-// Single collisions: rms over 400 moments within a step at which they begin.
+// e of the collisions of Hertz contacts with a dashpot, and of rough spheres.
+constexpr double kRestitution = 0.8;
+
+// Single collisions: rms over 400 moments within a step at which they begin. Hertz contacts and friction with the
+// default scheme only.
 std::vector<ErrorCurve> collision_curves(const dem::Scheme &scheme, const std::vector<double> &steps);
 
 // The energy of an elastic gas of 125 spheres of different masses over as many spans of 25 t_c.

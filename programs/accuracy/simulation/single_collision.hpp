@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// Collisions of two spheres that begin at any moment within a time step, against the damped oscillator.
+// Collisions of two spheres that begin at any moment within a time step, against closed forms: the damped oscillator,
+// and Hertz contacts.
 #pragma once
 
 #include "dem/engine/engine.hpp"
@@ -15,6 +16,7 @@ struct CollisionCase {
   dem::Scheme scheme = dem::velocity_verlet();
   double steps = 50;       // n: time steps per contact
   double restitution = 1;  // below 1: with a dashpot
+  bool hertz = false;      // then duration and overlap have a closed form without a dashpot only
   // Whether a contact lasts n steps exactly, as of equal spheres. Else pairs differ in mass, so that contacts last any
   // number of steps from n to n + 1, as of spheres of many sizes.
   bool whole_steps = true;

@@ -86,9 +86,8 @@ SkinRun skin_run(dem::Setup &setup, double skin) {
 Finding finding_of(SkinRun &run, const dem::Snapshot &reference) {
   const auto count = static_cast<double>(reference.radii.size());
   const auto searches = static_cast<double>(run.stats.search_count - run.searches_before);
-  const std::string note = particles::formatted("searched every %.3g steps, %.1f stored per particle",
-                                                static_cast<double>(run.timed.steps_timed()) / searches,
-                                                static_cast<double>(run.stats.stored_count) / count);
+  const std::string note =
+      particles::formatted("searched every %.3g steps", static_cast<double>(run.timed.steps_timed()) / searches);
   const size_t elsewhere = count_elsewhere(reference, run.timed.engine().snapshot());
   return {particles::formatted("skin %g", run.skin),
           run.timed.ns_per_step(),

@@ -3,6 +3,7 @@
 // What is varied of the simulation, each study in a file of its name.
 #pragma once
 
+#include "programs/accuracy/figure.hpp"
 #include "programs/accuracy/study.hpp"
 
 #include <vector>
@@ -10,6 +11,7 @@
 namespace accuracy {
 
 const std::vector<Study> &simulation_studies();
+const Figure &simulation_figure();
 
 void measure_time_steps(Recorder &record);
 void measure_state_precision(Recorder &record);

@@ -14,12 +14,17 @@ for program in "$hgrid" "$hgrid_dem"; do
 done
 mkdir -p "$work"
 
-# packing LAW RATIO COUNT: grows the packing by events and prints its file's name.
+# system_name LAW RATIO COUNT: the paper's density stays unsaid.
+system_name() { echo "$1-$2-$3${density:+@$density}"; }
+
+# packing LAW RATIO COUNT: grows the packing by events, of density `density` (0.62), and prints its file's name.
 packing() {
-  local file=$work/$1-$2-$3.csv
+  local file
+  file=$work/$(system_name "$@").csv
   if [[ ! -s $file ]]; then
     echo "growing $file" >&2
-    "$hgrid" pack --method event --law "$1" --ratio "$2" --count "$3" --output "$file.part.csv" >&2
+    "$hgrid" pack --method event --law "$1" --ratio "$2" --count "$3" --density "${density:-0.62}" \
+      --output "$file.part.csv" >&2
     mv "$file.part.csv" "$file"
   fi
   echo "$file"
@@ -28,7 +33,8 @@ packing() {
 # settled LAW RATIO COUNT: makes the scene of that packing, lets its particles collide, and prints the scene's name.
 # It stops after settle_steps steps (2000; 0: never), as a collision of each takes long where most particles are large.
 settled() {
-  local file scene=$work/$1-$2-$3.toml
+  local file scene
+  scene=$work/$(system_name "$@").toml
   file=$(packing "$@")
   if [[ ! -s ${scene%.toml}.state ]]; then
     cat >"$scene" <<SCENE

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `hgrid accuracy`: what accuracy costs in time, for every parameter that trades one for the other.
 #include "particles/text/output.hpp"
-#include "programs/accuracy/report/pareto_picture.hpp"
+#include "programs/accuracy/report/error_picture.hpp"
+#include "programs/accuracy/report/number_picture.hpp"
 #include "programs/accuracy/report/points_file.hpp"
 #include "programs/accuracy/report/report.hpp"
 #include "programs/accuracy/search/studies.hpp"
@@ -63,6 +64,13 @@ std::vector<Point> recorded_points(const std::string &path, const Studies &studi
   return points;
 }
 
+// What never errs, asked for alone, is drawn over its numbers.
+std::string picture(const AccuracyOptions &options, const Studies &studies, const std::vector<Point> &points) {
+  if (studies.size() == 1 && studies[0].number_of != nullptr) return accuracy::number_picture(studies[0], points);
+  return accuracy::error_picture(options.simulation ? accuracy::simulation_figure() : accuracy::search_figure(),
+                                 points);
+}
+
 void run_accuracy(const AccuracyOptions &options) {
   const Studies studies = chosen_studies(options);
   const std::vector<Point> points = options.from.empty()
@@ -71,7 +79,7 @@ void run_accuracy(const AccuracyOptions &options) {
   const accuracy::Style style = options.markdown ? accuracy::Style::kMarkdown : accuracy::Style::kText;
   write_text("-", accuracy::report(studies, points, style));
   if (!options.csv.empty()) accuracy::write_points(options.csv, points);
-  if (!options.svg.empty()) write_text(options.svg, accuracy::pareto_picture(studies, points));
+  if (!options.svg.empty()) write_text(options.svg, picture(options, studies, points));
 }
 
 std::string list_of(const Studies &studies) {
