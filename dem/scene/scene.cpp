@@ -7,6 +7,7 @@
 #include "dem/scene/effect_tables.hpp"
 #include "dem/scene/materials.hpp"
 #include "dem/scene/particles.hpp"
+#include "dem/scene/silent_units.hpp"
 #include "dem/scene/table.hpp"
 #include "dem/setup/time_step.hpp"
 #include "particles/files/format.hpp"
@@ -131,8 +132,8 @@ void read_output(const Table &top, const std::string &path, Scene &scene) {
 
 }  // namespace
 
-Scene read_scene(const std::string &path) {
-  const SceneFile file(path);
+Scene read_scene(const std::string &path, const std::vector<Setting> &settings) {
+  const SceneFile file(path, settings);
   const Table top = file.top();
   Scene scene;
   scene.title = top.text("title", "");
@@ -143,6 +144,7 @@ Scene read_scene(const std::string &path) {
   read_materials(top, scene.setup);
   const std::vector<Table> groups = top.parts("particles");
   if (groups.empty()) top.fail("particles", "a scene needs at least one table [[particles]]");
+  refuse_silent_units(top);
   const std::string folder = std::filesystem::path(path).parent_path().string();
   std::vector<particles::ParticleSet> sources;
   sources.reserve(groups.size());

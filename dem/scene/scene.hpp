@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dem/engine/engine.hpp"
+#include "dem/scene/settings.hpp"
 #include "dem/setup/setup.hpp"
 
 #include <cstdint>
@@ -30,7 +31,8 @@ struct Scene {
   std::vector<std::string> unused;  // columns of its particle files
 };
 
-// Reads a scene and makes its particles. Throws dem::Error naming file and line of what is wrong.
-Scene read_scene(const std::string &path);
+// Reads a scene and makes its particles; `settings` stand instead of what the file says. Throws dem::Error naming file
+// and line of what is wrong.
+Scene read_scene(const std::string &path, const std::vector<Setting> &settings = {});
 
 }  // namespace scene

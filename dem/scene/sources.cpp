@@ -9,11 +9,16 @@
 #include "packing/random.hpp"
 #include "particles/error.hpp"
 #include "particles/files/reader.hpp"
+#include "particles/text/formatted.hpp"
 #include "particles/text/lists.hpp"
 #include "particles/text/number.hpp"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 namespace scene {
@@ -51,11 +56,22 @@ packing::SizeLaw read_law(const Table &table, const std::string &folder, int dim
   return law;
 }
 
+// Refuses a number of particles that would not fit into this machine: a slip of the hand is told before it swaps.
+void require_memory(const Table &table, const char *key, double count) {
+  constexpr double kBytesPerParticle = 300;  // of a run: state, grid, stored candidates
+  const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  constexpr double kGiga = 1e9;
+  if (count * kBytesPerParticle <= memory) return;
+  table.fail(key, particles::formatted("%.3g particles would take about %.3g GB, and this machine has %.3g GB", count,
+                                       count * kBytesPerParticle / kGiga, memory / kGiga));
+}
+
 particles::ParticleSet read_pack(const Table &group, const Table &table, const std::string &folder,
                                  const dem::Setup &setup) {
   packing::Request request;
   request.law = read_law(table, folder, setup.dimension);
   request.count = static_cast<size_t>(table.count("count"));
+  require_memory(table, "count", static_cast<double>(request.count));
   request.density = table.number("fraction");
   request.seed = table.count("seed", 1);
   request.sweeps = static_cast<int>(table.count("sweeps", 60));
@@ -132,6 +148,7 @@ particles::ParticleSet read_lattice(const Table &group, const Table &table, cons
     }
     most[axis] = static_cast<size_t>(counts[axis]);
   }
+  require_memory(table, "counts", std::accumulate(counts.begin(), counts.end(), 1.0, std::multiplies<>()));
   packing::Random random(table.count("seed", 1));
   particles::ParticleSet set;
   set.dimension = setup.dimension;

@@ -14,7 +14,8 @@ namespace scene {
 namespace {
 
 [[noreturn]] void fail_at_line(const std::string &file, toml::source_index line, const std::string &message) {
-  throw dem::Error(file + ":" + std::to_string(line) + ": " + message);
+  // What was set from outside stands on no line.
+  throw dem::Error(file + (line > 0 ? ":" + std::to_string(line) : " with --set") + ": " + message);
 }
 
 const char *kind_name(const toml::node &node) {
@@ -66,7 +67,8 @@ const toml::node &Table::need(const char *key) const {
   const toml::node *node = find(key);
   if (node == nullptr) {
     const std::string table = name_.empty() ? "the scene" : "[" + name_ + "]";
-    fail_at_line(*file_, std::max<toml::source_index>(1, table_->source().begin.line),
+    const toml::source_index line = table_->source().begin.line;
+    fail_at_line(*file_, name_.empty() ? std::max<toml::source_index>(1, line) : line,
                  table + " needs the key '" + key + "': " + key_of(name_, key).meaning);
   }
   return *node;
@@ -133,7 +135,10 @@ uint64_t Table::count(const char *key) const {
 uint64_t Table::count(const char *key, uint64_t fallback) const {
   const toml::node *node = find(key);
   if (node == nullptr) return fallback;
-  const auto value = node->value_exact<int64_t>();
+  auto value = node->value_exact<int64_t>();
+  // 1e5 is a whole number too, as far as doubles count.
+  const auto real = node->value_exact<double>();
+  if (real && *real == std::floor(*real) && std::fabs(*real) < 0x1p53) value = static_cast<int64_t>(*real);
   if (!value) fail_at(*node, full_name(key) + " is " + kind_name(*node) + " where a whole number is wanted");
   if (*value < 0) fail_at(*node, full_name(key) + " is negative: " + std::to_string(*value));
   return static_cast<uint64_t>(*value);
@@ -213,7 +218,32 @@ std::vector<Table> Table::parts(const char *name) const {
   return result;
 }
 
-SceneFile::SceneFile(const std::string &path) : path_(path) {
+bool Table::has_units() const {
+  const auto is_text = [](const toml::node &node) { return node.is_string(); };
+  const auto has_text = [&](const toml::node &node) {
+    const toml::array *array = node.as_array();
+    return is_text(node) || (array != nullptr && std::any_of(array->begin(), array->end(), is_text));
+  };
+  for (const auto &[name, node] : *table_) {
+    const std::string word(name.str());
+    const toml::array *array = node.as_array();
+    if (node.is_table()) {
+      if (part(word.c_str())->has_units()) return true;
+    } else if (array != nullptr && array->is_array_of_tables()) {
+      for (const Table &one : parts(word.c_str())) {
+        if (one.has_units()) return true;
+      }
+    } else {
+      const Key &key = key_of(name_, word);
+      const bool measured = key.kind == Kind::kNumber || key.kind == Kind::kVector || key.kind == Kind::kList;
+      if (!measured || key.unit == kPure) continue;
+      if (has_text(node) || (array != nullptr && std::any_of(array->begin(), array->end(), has_text))) return true;
+    }
+  }
+  return false;
+}
+
+SceneFile::SceneFile(const std::string &path, const std::vector<Setting> &settings) : path_(path) {
   try {
     table_ = toml::parse_file(path);
   } catch (const toml::parse_error &error) {
@@ -221,6 +251,7 @@ SceneFile::SceneFile(const std::string &path) : path_(path) {
     const std::string place = line > 0 ? path + ":" + std::to_string(line) : path;
     throw dem::Error(place + ": " + std::string(error.description()));
   }
+  for (const Setting &setting : settings) apply(setting, table_);
 }
 
 }  // namespace scene

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dem/scene/keys.hpp"
+#include "dem/scene/settings.hpp"
 
 #include <toml++/toml.h>
 
@@ -42,6 +43,9 @@ class Table {
   std::optional<Table> part(const char *name) const;
   std::vector<Table> parts(const char *name) const;  // of an array of tables
 
+  // Whether any number in it or in its parts has a unit.
+  bool has_units() const;
+
   // Throws dem::Error for the line of the key, or of the table if it has no such key.
   [[noreturn]] void fail(const char *key, const std::string &message) const;
 
@@ -62,8 +66,8 @@ class Table {
 // A parsed file.
 class SceneFile {
  public:
-  // Throws dem::Error naming the line if it is no TOML.
-  explicit SceneFile(const std::string &path);
+  // Throws dem::Error naming the line if it is no TOML. `settings` stand instead of what the file says.
+  explicit SceneFile(const std::string &path, const std::vector<Setting> &settings = {});
 
   const std::string &path() const { return path_; }
   Table top() const { return Table(path_, "", table_); }

@@ -31,13 +31,22 @@ constexpr NamedUnit kUnits[] = {{"m", 1, kLength},        {"km", 1e3, kLength}, 
                                 {"Hz", 1, kRate},         {"rad", 1, kPure},       {"deg", 0.017453292519943295, kPure},
                                 {"%", 1e-2, kPure}};
 
-const NamedUnit &unit_of_name(std::string_view name) {
+// With a u for the micro sign, which has two codes: as such, and as the Greek letter.
+std::string with_plain_micro(std::string_view name) {
+  for (const std::string_view micro : {"\u00b5", "\u03bc"}) {
+    if (name.substr(0, micro.size()) == micro) return "u" + std::string(name.substr(micro.size()));
+  }
+  return std::string(name);
+}
+
+const NamedUnit &unit_of_name(std::string_view written) {
+  const std::string name = with_plain_micro(written);
   std::vector<std::string> known;
   for (const NamedUnit &unit : kUnits) {
     if (name == unit.name) return unit;
     known.emplace_back(unit.name);
   }
-  throw dem::Error("'" + std::string(name) + "' is no unit" + suggestion(name, known));
+  throw dem::Error("'" + std::string(written) + "' is no unit" + suggestion(name, known));
 }
 
 std::string_view without_blanks(std::string_view text) {

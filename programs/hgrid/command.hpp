@@ -19,6 +19,8 @@ void add_bench(CLI::App &parent);
 void add_calibrate(CLI::App &parent);
 void add_slice(CLI::App &parent);
 void add_run(CLI::App &parent);
+void add_plot(CLI::App &parent);
+void add_picture(CLI::App &parent);
 void add_scenes(CLI::App &parent);
 void add_accuracy(CLI::App &parent);
 

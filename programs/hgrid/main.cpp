@@ -50,6 +50,8 @@ void describe(CLI::App &parser) {
   command::add_calibrate(parser);
   command::add_slice(parser);
   command::add_run(parser);
+  command::add_plot(parser);
+  command::add_picture(parser);
   command::add_scenes(parser);
   command::add_accuracy(parser);
 }

@@ -135,6 +135,7 @@ particles::ParticleSet load_particles(const ParticleOptions &options) {
   read.type_radii = type_radii(options.type_radius);
   read.ids = options.ids;
   read.types = options.types;
+  read.motion = options.motion;
   read.needs_box = options.box.empty() && !options.open;
   particles::ParticleSet particles = particles::read_particles(options.file, read);
   // Only who says which axes are periodic knows what is missing.

@@ -24,6 +24,7 @@ struct ParticleOptions {
   std::string type_radius;  // TYPE=RADIUS with commas
   bool ids = false;         // not an option: whether ids and types are read, too
   bool types = false;
+  bool motion = false;   // nor this: velocities
   std::string periodic;  // letters of the periodic axes, "" = as the file says
   bool open = false;     // no periodic axis, whatever the file says
   std::string box;       // lower corner, upper corner with commas; empty: the file's

@@ -22,7 +22,7 @@ for scene in "$scenes"/*.toml; do
   case $scene in
     */paper-*) continue ;;
   esac
-  "$hgrid" run "$scene" --steps 20 --quiet --strict --output out >summary.txt || fail "$scene does not run"
+  "$hgrid" run "$scene" --steps 20 --quiet --strict --overwrite --output out >summary.txt || fail "$scene does not run"
   grep -q 'ns per particle and step' summary.txt || fail "$scene: no summary"
 done
 
@@ -82,11 +82,46 @@ echo "$((step + 3)),1,1,1,1,1,1,1,1,1" >>stopped/energy.csv # as of a run that w
 "$hgrid" run busy.toml --quiet --steps $((step + 20)) --output undisturbed >/dev/null
 diff -r stopped undisturbed || fail "interrupted at step $step and restarted: another folder than undisturbed"
 
+# A folder of an earlier run is neither mixed with another nor lost by a slip of the hand.
+if "$hgrid" run busy.toml --quiet --steps 5 --output part >out.txt 2>err.txt; then fail "two runs were mixed"; fi
+grep -q 'part: holds an earlier run, [0-9]* files such as .*--overwrite removes it' err.txt || fail "says: $(cat err.txt)"
+touch part/notes.txt
+"$hgrid" run busy.toml --quiet --steps 5 --output part --overwrite >/dev/null
+[[ -e part/notes.txt && $(ls part | grep -c '^state-') -le 8 && $(wc -l <part/energy.csv) -le 7 ]] ||
+  fail "--overwrite left or took too much: $(ls part)"
+
+# A sweep: a folder for each combination, each as if it had been run alone, and a table of their ends.
+"$hgrid" run busy.toml --quiet --set friction.coefficient=0.1,0.2 --set dissipation.restitution=0.7,0.9 --steps 30 \
+  --output sweep >out.txt
+[[ $(ls sweep | wc -l) == 4 ]] || fail "a sweep of four made $(ls sweep)"
+sed 's/coefficient = 0.3/coefficient = 0.2/; s/restitution = 0.8/restitution = 0.7/' busy.toml >alone.toml
+"$hgrid" run alone.toml --quiet --steps 30 --output alone >/dev/null
+diff -r alone "sweep/friction.coefficient=0.2,dissipation.restitution=0.7" || fail "a run of a sweep differs from itself"
+grep -qE '^friction.coefficient  dissipation.restitution  time +energy' out.txt || fail "no table: $(cat out.txt)"
+[[ $(grep -cE '^0\.[12] +0\.[79] ' out.txt) == 4 ]] || fail "the table has other rows: $(cat out.txt)"
+if "$hgrid" run busy.toml --set friction >out.txt 2>err.txt; then fail "a setting without value was taken"; fi
+grep -q "'friction' is not TABLE.KEY=VALUE" err.txt || fail "the setting is not named: $(cat err.txt)"
+
+# Pictures: of the table a line for each column that is not 0, of a state a sphere for each particle.
+"$hgrid" plot whole --output plot.svg
+columns=$(awk -F, 'NR > 1 { for (k = 3; k <= NF; k++) if ($k != 0) shown[k] } END { print length(shown) }' whole/energy.csv)
+[[ $columns -ge 8 && $(grep -c '<polyline' plot.svg) == "$columns" ]] || fail "the plot has other lines than $columns"
+for color in size speed contacts force; do
+  "$hgrid" picture "whole/$last" --color $color --output $color.pov >out.txt || fail "no picture by $color"
+  [[ $(grep -c '^sphere{' $color.pov) == 400 ]] || fail "the picture by $color holds other spheres"
+done
+if "$hgrid" picture wrong.csv --output x.pov 2>err.txt; then fail "an absent file was drawn"; fi
+if command -v povray >/dev/null; then
+  "$hgrid" picture "whole/$last" --width 64 --output state.png >out.txt
+  [[ $(head -c 4 state.png | tail -c 3) == PNG && ! -e state.png.pov ]] || fail "no PNG: $(ls)"
+fi
+
 # An absurd start is warned of, and refused when asked: a ball half a metre under the floor.
 cat >under.toml <<'TOML'
 [[particles]]
 at = [["1 m", "1 m", "-0.5 m"]]
 radius = "10 mm"
+density = "1000 kg/m^3"
 [box]
 max = ["2 m", "2 m", "2 m"]
 [contact]
@@ -99,7 +134,7 @@ grep -q 'hgrid: warning: step 0: surfaces overlap by 51 of the smaller radius' e
 grep -q 'hgrid: warning: step 0: centres of particles lie behind walls: 1' err.txt || fail "no warning: $(cat err.txt)"
 grep -q '^worst seen, see the warnings: overlap over radius 51 (step 0), centres behind walls 1' out.txt ||
   fail "the end does not say what was seen: $(cat out.txt)"
-if "$hgrid" run under.toml --quiet --strict --output under >out.txt 2>err.txt; then fail "--strict lets it pass"; fi
+if "$hgrid" run under.toml --quiet --strict --overwrite --output under >out.txt 2>err.txt; then fail "--strict lets it pass"; fi
 grep -q 'step 0: surfaces overlap by 51' err.txt || fail "--strict says: $(cat err.txt)"
 
 # Refusals: exit code 1, the file and line, no trace of success.

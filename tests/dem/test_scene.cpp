@@ -132,6 +132,8 @@ void units_are_turned_to_si(void **) {
   assert_true(in_si("1 kg m^-3", kDensity) == 1);
   assert_true(std::fabs(in_si("3 kN/mm", kStiffness) - 3e6) < 1e-6);
   assert_true(in_si("5 mPa s", kViscosity) == 5e-3);
+  assert_true(in_si("3 \u00b5m", kLength) == in_si("3 um", kLength));  // the sign of micro
+  assert_true(in_si("3 \u03bcs", kTime) == in_si("3 us", kTime));      // the Greek letter
 }
 
 std::string unit_error(const char *text, scene::Unit wanted) {
@@ -175,6 +177,83 @@ void a_scene_says_what_it_means(void **) {
   assert_true(effects == dem::kGravity);
 }
 
+std::string packed(const std::string &keys) {
+  return "[[particles]]\npack = { count = 400, fraction = 0.3, sweeps = 1, " + keys +
+         " }\n[contact]\nstiffness = 1\n[time]\nsteps = 1\n";
+}
+
+void counts_are_whole_numbers_in_any_writing(void **) {
+  std::string text = kBasic;
+  text.replace(text.find("steps = 10"), 10, "steps = 1e5");
+  assert_true(read(text).steps == 100000);
+  text.replace(text.find("steps = 1e5"), 11, "steps = 1.5");
+  assert_true(is_refused(text, ":8: time.steps is a number where a whole number is wanted"));
+  text.replace(text.find("steps = 1.5"), 11, "steps = 1e300");
+  assert_true(is_refused(text, ":8: time.steps is a number where a whole number is wanted"));
+}
+
+// A group of so many particles at a radius, beside a stiffness with a unit.
+std::string with_units(const std::string &group) {
+  return "[[particles]]\n" + group + "\n[contact]\nstiffness = \"1 N/m\"\n[time]\nsteps = 1\n";
+}
+
+// A density or radius that nobody gave would be 1 in SI.
+void nothing_is_silent_beside_units(void **) {
+  const std::string ball = "at = [[0, 0, 0]]\nradius = 0.01\n", pack = "pack = { count = 20, fraction = 0.1 }\n";
+  assert_true(is_refused(with_units(ball), ":1: particles.density: is needed beside numbers with units"));
+  assert_string_equal(error_of(with_units(ball + "density = 2500")).c_str(), "");
+  assert_string_equal(
+      error_of(with_units(ball + "fixed = true\n[[particles]]\nat = [[1, 0, 0]]\nradius = 0.01\ndensity = 1")).c_str(),
+      "");
+  assert_true(is_refused(with_units(pack + "density = 2500"), ":1: particles.radius: is needed beside numbers with"));
+  assert_string_equal(error_of(with_units(pack + "density = 2500\nradius = 0.01")).c_str(), "");
+  assert_string_equal(error_of(packed("law = \"mono\"")).c_str(), "");  // bare numbers throughout
+  // In a list, too.
+  std::string bare = with_units(ball);
+  bare.replace(bare.find("\"1 N/m\""), 7, "1");
+  assert_string_equal(error_of(bare).c_str(), "");
+  bare.replace(bare.find("[[0, 0, 0]]"), 11, "[[0, \"1 cm\", 0]]");
+  assert_true(is_refused(bare, ":1: particles.density: is needed"));
+}
+
+void more_particles_than_memory_are_refused(void **) {
+  const std::string head = "[[particles]]\nradius = 1\n", tail = "\n[contact]\nstiffness = 1\n[time]\nsteps = 1\n";
+  assert_true(is_refused(head + "lattice = { counts = [1000000, 1000000, 1000000] }" + tail,
+                         ":3: particles.lattice.counts: 1e+18 particles would take about 3e+11 GB",
+                         "this machine has"));
+  assert_true(is_refused(head + "pack = { count = 1e15, fraction = 0.1 }" + tail,
+                         ":3: particles.pack.count: 1e+15 particles would take about 3e+08 GB"));
+}
+
+std::string error_with(const std::string &path, const std::string &value) {
+  const std::string name = write_file(kBasic);
+  std::string what = test::error_of([&] { scene::read_scene(name, {{path, value}}); });
+  if (what.compare(0, name.size(), name) == 0) what.erase(0, name.size());
+  std::filesystem::remove(name);
+  return what;
+}
+
+void settings_stand_instead_of_the_file(void **) {
+  const std::string name = write_file(kBasic + "[[particles]]\nat = [[9, 0, 0]]\nradius = 1\n");
+  const scene::Scene scene = scene::read_scene(name, {{"contact.stiffness", "2e4"},
+                                                      {"gravity.acceleration", "[0, 0, -1]"},
+                                                      {"particles.2.radius", "2"},
+                                                      {"particles.density", "3"},
+                                                      {"title", "another"}});
+  std::filesystem::remove(name);
+  assert_true(scene.setup.contact.stiffness == 2e4 && scene.title == "another");
+  assert_true(scene.setup.effects == dem::kGravity && scene.setup.gravity[2] == -1);
+  assert_true(scene.setup.radii == (std::vector<double>{1, 1, 2}));
+  assert_true(std::fabs(scene.setup.masses[0] / (4 * 3.14159265358979 / 3 * 3) - 1) < 1e-12);
+  assert_string_equal(error_with("contact.stifness", "1").c_str(),
+                      " with --set: 'stifness' is no key of [contact]: did you mean 'stiffness'?");
+  assert_string_equal(error_with("particles.3.radius", "1").c_str(),
+                      "--set particles.3.radius=1: there are 1 of these tables, counted from 1");
+  assert_string_equal(error_with("title.x", "1").c_str(), "--set title.x=1: 'x' lies in no table");
+  assert_string_equal(error_with("contact.stiffness", "much").c_str(),
+                      " with --set: contact.stiffness: 'much' does not begin with a number");
+}
+
 // Velocities and spins of a file are added to those of its group; what is not used is named.
 void files_bring_velocities(void **) {
   const std::string table =
@@ -194,11 +273,6 @@ void files_bring_velocities(void **) {
   std::filesystem::remove(table);
   assert_true(plain);
   assert_true(rotating);
-}
-
-std::string packed(const std::string &keys) {
-  return "[[particles]]\npack = { count = 400, fraction = 0.3, sweeps = 1, " + keys +
-         " }\n[contact]\nstiffness = 1\n[time]\nsteps = 1\n";
 }
 
 // The largest radius of a packing of this law; the smallest is 1.
@@ -275,6 +349,10 @@ int main() {
       cmocka_unit_test(units_are_turned_to_si),
       cmocka_unit_test(wrong_units_are_refused),
       cmocka_unit_test(a_scene_says_what_it_means),
+      cmocka_unit_test(counts_are_whole_numbers_in_any_writing),
+      cmocka_unit_test(nothing_is_silent_beside_units),
+      cmocka_unit_test(more_particles_than_memory_are_refused),
+      cmocka_unit_test(settings_stand_instead_of_the_file),
       cmocka_unit_test(files_bring_velocities),
       cmocka_unit_test(scenes_take_every_law),
       cmocka_unit_test(scenes_take_tables_of_sizes),

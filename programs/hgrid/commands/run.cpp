@@ -4,14 +4,17 @@
 #include "dem/effects/table.hpp"
 #include "dem/engine/engine.hpp"
 #include "dem/engine/watch.hpp"
+#include "dem/output/earlier_run.hpp"
 #include "dem/output/recorder.hpp"
 #include "dem/scene/scene.hpp"
 #include "particles/error.hpp"
 #include "particles/text/formatted.hpp"
 #include "particles/text/lists.hpp"
 #include "particles/text/status_line.hpp"
+#include "programs/accuracy/report/tables.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/hgrid/interrupt.hpp"
+#include "programs/hgrid/sweep.hpp"
 #include "programs/measure/timing.hpp"
 
 #include <CLI/CLI.hpp>
@@ -23,6 +26,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace command {
 namespace {
@@ -36,8 +40,10 @@ struct RunOptions {
   std::optional<int> threads;
   std::optional<double> skin;
   std::optional<uint64_t> steps;
+  std::vector<std::string> settings;
   bool quiet = false;
   bool strict = false;
+  bool overwrite = false;
 };
 
 // A line about the run as it goes: wiped and rewritten on a terminal, one after the other elsewhere.
@@ -198,16 +204,26 @@ void print_summary(dem::Engine &engine, const Run &run, size_t particles) {
               static_cast<long long>(stats.level_count), static_cast<long long>(stats.search_count));
 }
 
-void run_scene(const RunOptions &options) {
-  scene::Scene scene = scene::read_scene(options.scene);
+// What the table of a sweep tells of a run.
+struct Outcome {
+  dem::Measurement end;
+  double ns_per_particle_step = 0;
+  bool has_warned = false;
+};
+
+// `folder`: inside that of the output, "" for that itself.
+Outcome run_scene(const RunOptions &options, const Settings &settings, const std::string &folder) {
+  scene::Scene scene = scene::read_scene(options.scene, settings);
   if (options.threads) scene.setup.threads = *options.threads;
   if (options.skin) scene.setup.skin = *options.skin;
   if (options.steps) scene.steps = *options.steps;
   if (!options.directory.empty()) scene.output.directory = options.directory;
+  if (!folder.empty()) scene.output.directory += "/" + folder;
   const std::unique_ptr<dem::Engine> engine = dem::make_engine(scene.setup, scene.precision);
   const scene::OutputPlan &plan = scene.output;
   if (plan.work) engine->count_work();
   if (!options.restart.empty()) engine->restore(dem::Checkpoint::read(options.restart));
+  if (options.restart.empty()) output::require_no_earlier_run(scene.output.directory, options.overwrite);
   if (!scene.unused.empty())
     std::fprintf(stderr, "hgrid: %s: note: of its particle files these columns are not used: %s\n",
                  options.scene.c_str(), particles::joined(scene.unused).c_str());
@@ -222,6 +238,47 @@ void run_scene(const RunOptions &options) {
   if (interrupt.requested()) {
     throw particles::Error("interrupted at step " + std::to_string(engine->steps_done()) + "; go on with hgrid run " +
                            options.scene + " --restart " + recorder.checkpoint_path());
+  }
+  return {engine->measure(), run.line().ns_per_particle_step(), run.watch().has_warned()};
+}
+
+using Table = std::vector<std::vector<std::string>>;
+
+std::vector<std::string> row_of(const Settings &settings, const Outcome &run) {
+  std::vector<std::string> row;
+  for (const scene::Setting &setting : settings) row.push_back(setting.value);
+  const dem::Measurement &m = run.end;
+  for (const double value : {m.time, m.energy(), m.translation + m.rotation})
+    row.push_back(particles::formatted("%.6g", value));
+  row.push_back(std::to_string(m.contacts + m.wall_contacts));
+  row.push_back(particles::formatted("%.3g", m.largest_overlap));
+  row.push_back(particles::formatted("%.1f", run.ns_per_particle_step));
+  row.emplace_back(run.has_warned ? "yes" : "no");
+  return row;
+}
+
+// One folder for each combination, and a table of their ends.
+void run_sweep(const RunOptions &options, const std::vector<Settings> &all) {
+  if (!options.restart.empty()) throw CLI::ValidationError("--restart", "goes on with one run, not with a sweep");
+  Table table(1);
+  for (const scene::Setting &setting : all.front()) table[0].push_back(setting.path);
+  for (const char *head : {"time", "energy", "kinetic", "contacts", "overlap", "ns", "warned"})
+    table[0].emplace_back(head);
+  for (const Settings &settings : all) {
+    const std::string name = name_of(settings);
+    std::printf("%s%s\n", table.size() > 1 ? "\n" : "", name.c_str());
+    table.push_back(row_of(settings, run_scene(options, settings, name)));
+  }
+  std::printf("\nThe ends; overlap: the largest over the smaller radius, ns: per particle and step\n\n%s",
+              accuracy::table_of(table, accuracy::Style::kText).c_str());
+}
+
+void run_command(const RunOptions &options) {
+  const std::vector<Settings> all = combinations(options.settings);
+  if (all.size() == 1) {
+    run_scene(options, all.front(), "");
+  } else {
+    run_sweep(options, all);
   }
 }
 
@@ -240,7 +297,11 @@ void add_run(CLI::App &parent) {
   command->add_option("--steps", options->steps, "Last step, instead of the scene's end");
   command->add_flag("--quiet", options->quiet, "No line about the progress");
   command->add_flag("--strict", options->strict, "What a run is warned of ends it");
-  command->callback([options] { run_scene(*options); });
+  command->add_option("--set", options->settings,
+                      "TABLE.KEY=VALUE[,VALUE...] instead of the scene's; more than one value: a run for each, in a "
+                      "folder of its name, and a table of their ends");
+  command->add_flag("--overwrite", options->overwrite, "Remove the earlier run that the folder holds");
+  command->callback([options] { run_command(*options); });
 }
 
 }  // namespace command

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dem/output/earlier_run.hpp"
+
+#include "particles/error.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace output {
+namespace {
+
+// By the names that recorder.cpp gives.
+bool is_of_a_run(const std::string &name) {
+  return name == "energy.csv" || name == "states.pvd" || name == "checkpoint" || name.compare(0, 6, "state-") == 0;
+}
+
+}  // namespace
+
+void require_no_earlier_run(const std::string &folder, bool overwrite) {
+  std::vector<std::filesystem::path> found;
+  std::error_code absent;
+  for (const auto &entry : std::filesystem::directory_iterator(folder, absent)) {
+    if (entry.is_regular_file() && is_of_a_run(entry.path().filename().string())) found.push_back(entry.path());
+  }
+  if (found.empty()) return;
+  if (!overwrite) {
+    throw particles::Error(folder + ": holds an earlier run, " + std::to_string(found.size()) + " files such as " +
+                           found.front().filename().string() +
+                           ": --overwrite removes it, --restart goes on with it, --output takes another folder");
+  }
+  for (const std::filesystem::path &file : found) std::filesystem::remove(file);
+}
+
+}  // namespace output
