@@ -63,10 +63,13 @@ bool Labels::is_free(const Frame &box) const {
 
 std::optional<Point> Labels::place(Point point, const std::string &words, double size, double reach) {
   const double width = width_of(words, size);
-  for (double distance = kNearest; distance <= reach; distance += kRing) {
+  const int rings = static_cast<int>((reach - kNearest) / kRing) + 1;
+  for (int ring = 0; ring < rings; ring++) {
+    const double distance = kNearest + ring * kRing;
     for (int k = 0; k < kDirections; k++) {
       // To the right first, then in turns above and below it, to the left last.
-      const double angle = (k % 2 == 0 ? -1 : 1) * ((k + 1) / 2) * 2 * kPi / kDirections;
+      const int turns = (k + 1) / 2;
+      const double angle = (k % 2 == 0 ? -1 : 1) * turns * 2 * kPi / kDirections;
       const double x = point.x + distance * std::cos(angle), y = point.y + distance * std::sin(angle);
       // The side of the words that looks at the point touches the circle; above and below they stand in the middle.
       const double left = x - width * (1 - std::cos(angle)) / 2;

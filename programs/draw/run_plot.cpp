@@ -72,8 +72,9 @@ std::vector<Panel> panels_of(const RunTable &table) {
 
 std::string tick_text(double value) { return particles::formatted("%.4g", std::fabs(value) < 1e-300 ? 0.0 : value); }
 
-// Heights of names at the ends of lines, moved apart until each has its row; none leaves the panel by more than a row.
-std::vector<double> spread(const std::vector<double> &heights) {
+// Heights of names at the ends of lines, moved apart until each has its row; none stands lower than `lowest`, where the
+// numbers of the time are.
+std::vector<double> spread(const std::vector<double> &heights, double lowest) {
   std::vector<size_t> order(heights.size());
   for (size_t k = 0; k < order.size(); k++) order[k] = k;
   std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return heights[a] < heights[b]; });
@@ -85,6 +86,9 @@ std::vector<double> spread(const std::vector<double> &heights) {
       moved[order[k]] -= lacks / 2;
       moved[order[k + 1]] += lacks / 2;
     }
+  }
+  for (size_t k = order.size(); k-- > 0; lowest = moved[order[k]] - kRow) {
+    moved[order[k]] = std::min(moved[order[k]], lowest);
   }
   return moved;
 }
@@ -120,7 +124,7 @@ void draw_panel(Svg &svg, const RunTable &table, const Panel &panel, const Linea
     svg.polyline(points, "fill=\"none\" stroke=\"" + series_color(i) + "\" stroke-width=\"1.5\"");
     ends.push_back(points.back().y);
   }
-  const std::vector<double> heights = spread(ends);
+  const std::vector<double> heights = spread(ends, top + kHeight - 3);
   for (size_t i = 0; i < panel.columns.size(); i++) {
     std::string name = table.names[panel.columns[i]];
     std::replace(name.begin(), name.end(), '_', ' ');

@@ -208,6 +208,9 @@ void nothing_is_silent_beside_units(void **) {
   assert_true(is_refused(with_units(pack + "density = 2500"), ":1: particles.radius: is needed beside numbers with"));
   assert_string_equal(error_of(with_units(pack + "density = 2500\nradius = 0.01")).c_str(), "");
   assert_string_equal(error_of(packed("law = \"mono\"")).c_str(), "");  // bare numbers throughout
+  const std::string stone = "material = \"stone\"\n[[material]]\nname = \"stone\"\n";
+  assert_true(is_refused(with_units(ball + stone), ":1: particles.density: is needed beside numbers with units"));
+  assert_string_equal(error_of(with_units(ball + stone + "density = 2500")).c_str(), "");
   // In a list, too.
   std::string bare = with_units(ball);
   bare.replace(bare.find("\"1 N/m\""), 7, "1");

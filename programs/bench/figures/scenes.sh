@@ -25,11 +25,11 @@ for name in "${names[@]}"; do
     "$hgrid" run "$scenes/$name.toml" --set output.every=1e6 --output "$run" --overwrite >"$work/scene-$name.txt"
     touch "$run/finished"
   fi
-  color=speed
+  color=speed width=320
   case $name in
     aggregate | sedimentation) color=size ;;
-    heap) color=contacts ;;
+    heap) color=contacts width=640 ;;
   esac
-  "$hgrid" picture "$(ls "$run"/state-*.vtp | tail -1)" --color $color --output "$output/scene-$name.png"
+  "$hgrid" picture "$(ls "$run"/state-*.vtp | tail -1)" --color $color --width $width --output "$output/scene-$name.png"
   "$hgrid" plot "$run" --title "$name" --output "$output/scene-$name.svg"
 done
