@@ -4,7 +4,9 @@
 
 #include "particles/error.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <vector>
 
 namespace output {
@@ -12,7 +14,10 @@ namespace {
 
 // By the names that recorder.cpp gives.
 bool is_of_a_run(const std::string &name) {
-  return name == "energy.csv" || name == "states.pvd" || name == "checkpoint" || name.compare(0, 6, "state-") == 0;
+  constexpr const char *kNames[] = {"energy.csv", "bulk.csv", "states.pvd", "contacts.pvd", "checkpoint"};
+  const auto starts_with = [&](const std::string &start) { return name.compare(0, start.size(), start) == 0; };
+  return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames) || starts_with("state-") ||
+         starts_with("contacts-");
 }
 
 }  // namespace

@@ -41,6 +41,8 @@ std::vector<std::string> fields_of(std::string_view line) {
   return fields;
 }
 
+bool is_clock(const std::string &name) { return name == "time" || name == "step"; }
+
 // What a column is drawn with: its energies together, its contacts, else its first word.
 std::string panel_of(const std::string &name) {
   constexpr const char *kEnergies[] = {"energy", "translation", "rotation", "contact", "gravity"};
@@ -56,8 +58,8 @@ std::vector<Panel> panels_of(const RunTable &table) {
   std::vector<Panel> panels;
   for (size_t k = 0; k < table.names.size(); k++) {
     const std::vector<double> &values = table.columns[k];
-    const bool is_clock = table.names[k] == "time" || table.names[k] == "step";
-    if (is_clock || std::all_of(values.begin(), values.end(), [](double value) { return value == 0; })) continue;
+    if (is_clock(table.names[k]) || std::all_of(values.begin(), values.end(), [](double value) { return value == 0; }))
+      continue;
     const std::string title = panel_of(table.names[k]);
     auto found = std::find_if(panels.begin(), panels.end(), [&](const Panel &panel) { return panel.title == title; });
     if (found == panels.end()) found = panels.insert(panels.end(), {title, {}});
@@ -158,6 +160,16 @@ RunTable RunTable::read(const std::string &path) {
   }
   if (table.columns[0].empty()) throw particles::Error(path, 0, "no row");
   return table;
+}
+
+void RunTable::append(const RunTable &other) {
+  if (other.columns[0].size() != columns[0].size())
+    throw particles::Error("the tables of the run differ in their rows");
+  for (size_t k = 0; k < other.names.size(); k++) {
+    if (is_clock(other.names[k])) continue;
+    names.push_back(other.names[k]);
+    columns.push_back(other.columns[k]);
+  }
 }
 
 std::string run_plot(const RunTable &table, const std::string &title) {

@@ -229,7 +229,7 @@ void more_particles_than_memory_are_refused(void **) {
 }
 
 std::string error_with(const std::string &path, const std::string &value) {
-  const std::string name = write_file(kBasic);
+  const std::string name = scene_text::write_file(kBasic);
   std::string what = test::error_of([&] { scene::read_scene(name, {{path, value}}); });
   if (what.compare(0, name.size(), name) == 0) what.erase(0, name.size());
   std::filesystem::remove(name);
@@ -237,7 +237,7 @@ std::string error_with(const std::string &path, const std::string &value) {
 }
 
 void settings_stand_instead_of_the_file(void **) {
-  const std::string name = write_file(kBasic + "[[particles]]\nat = [[9, 0, 0]]\nradius = 1\n");
+  const std::string name = scene_text::write_file(kBasic + "[[particles]]\nat = [[9, 0, 0]]\nradius = 1\n");
   const scene::Scene scene = scene::read_scene(name, {{"contact.stiffness", "2e4"},
                                                       {"gravity.acceleration", "[0, 0, -1]"},
                                                       {"particles.2.radius", "2"},

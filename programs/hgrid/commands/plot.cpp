@@ -23,8 +23,12 @@ void run_plot(const PlotOptions &options) {
   const bool is_folder = std::filesystem::is_directory(run);
   const std::filesystem::path table = is_folder ? run / "energy.csv" : run;
   const std::string title = options.title.empty() ? options.run : options.title;
+  draw::RunTable all = draw::RunTable::read(table.string());
+  if (is_folder && std::filesystem::exists(run / "bulk.csv")) {
+    all.append(draw::RunTable::read((run / "bulk.csv").string()));
+  }
   particles::Output out(options.output.empty() ? (table.parent_path() / "energy.svg").string() : options.output);
-  out << draw::run_plot(draw::RunTable::read(table.string()), title);
+  out << draw::run_plot(all, title);
   out.close();
 }
 
