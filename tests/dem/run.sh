@@ -104,7 +104,8 @@ grep -q "'friction' is not TABLE.KEY=VALUE" err.txt || fail "the setting is not 
 
 # Pictures: of the table a line for each column that is not 0, of a state a sphere for each particle.
 "$hgrid" plot whole --output plot.svg
-columns=$(awk -F, 'NR > 1 { for (k = 3; k <= NF; k++) if ($k != 0) shown[k] } END { print length(shown) }' whole/energy.csv)
+columns=$(awk -F, 'FNR > 1 { for (k = 3; k <= NF; k++) if ($k != 0) shown[FILENAME, k] } END { print length(shown) }' \
+  whole/energy.csv whole/bulk.csv)
 [[ $columns -ge 8 && $(grep -c '<polyline' plot.svg) == "$columns" ]] || fail "the plot has other lines than $columns"
 for color in size speed contacts force; do
   "$hgrid" picture "whole/$last" --color $color --output $color.pov >out.txt || fail "no picture by $color"
