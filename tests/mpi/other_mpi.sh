@@ -22,7 +22,7 @@ compile() {
 mapfile -t layer < <(printf '%s\n' "$source"/mpi/*.cpp | grep -v zoltan)
 compile "${layer[@]}" "$source"/tests/mpi/{scene,random_scene}.cpp
 shared=("$work"/*.o)
-for program in fuzz steps errors; do
+for program in fuzz steps errors killed; do
   compile "$source/tests/mpi/$program.cpp"
   "$compiler" -fsanitize=address,undefined "$work/$program.cpp.o" "${shared[@]}" "${libraries[@]}" -o "$work/$program"
 done
@@ -33,3 +33,10 @@ timeout 90 "$mpirun" -n 2 "$work/fuzz" 40
 timeout 90 "$mpirun" -n 3 "$work/fuzz" 5
 timeout 90 "$mpirun" -n 2 "$work/steps"
 timeout 90 "$mpirun" -n 2 "$work/errors"
+# The rank that is killed takes the others along, whatever they wait for.
+status=0
+timeout 60 "$mpirun" -n 2 "$work/killed" >"$work/killed.log" 2>&1 || status=$?
+if ((status == 0 || status == 124)) || ! grep -q 'signal 9' "$work/killed.log"; then
+  cat "$work/killed.log"
+  exit 1
+fi
