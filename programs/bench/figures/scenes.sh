@@ -27,7 +27,7 @@ for name in "${names[@]}"; do
   fi
   color=speed width=320
   case $name in
-    aggregate | sedimentation) color=size ;;
+    aggregate | sedimentation) color=size width=400 ;;
     heap) color=contacts width=640 ;;
   esac
   "$hgrid" picture "$(ls "$run"/state-*.vtp | tail -1)" --color $color --width $width --output "$output/scene-$name.png"
