@@ -18,7 +18,12 @@ namespace dem {
 // A vector and a number; in two dimensions the third number is 0.
 template <class Real>
 struct alignas(4 * sizeof(Real)) Row {
+  typedef Real Four __attribute__((vector_size(4 * sizeof(Real)), may_alias));  // NOLINT: no `using` for attributes
+
   Real numbers[4];
+
+  // All of them.
+  Four &four() { return *reinterpret_cast<Four *>(numbers); }
 
   // The first numbers.
   template <int width>
