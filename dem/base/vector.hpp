@@ -42,25 +42,39 @@ Eigen::Map<const Vector> vector_at(const std::vector<double> &numbers, size_t i)
   return Eigen::Map<const Vector>(&numbers[i * Vector::RowsAtCompileTime]);
 }
 
-// spin x arm: the velocity of a point of a body at `arm` from its centre.
+// spin x arm: the velocity of a point of a body at `arm` from its centre; and arm x force: the torque of a force that
+// acts there. First in plain numbers, for loops over many contacts.
 template <int D, class Real>
-Vec<D, Real> turn(const Spin<D, Real> &spin, const Vec<D, Real> &arm) {
+[[gnu::always_inline]] inline void turn_arm(const Real *spin, const Real *arm, Real *velocity) {
   if constexpr (D == 3) {
-    return {spin[1] * arm[2] - spin[2] * arm[1], spin[2] * arm[0] - spin[0] * arm[2],
-            spin[0] * arm[1] - spin[1] * arm[0]};
+    velocity[0] = spin[1] * arm[2] - spin[2] * arm[1];
+    velocity[1] = spin[2] * arm[0] - spin[0] * arm[2];
+    velocity[2] = spin[0] * arm[1] - spin[1] * arm[0];
   } else {
-    return {-spin[0] * arm[1], spin[0] * arm[0]};
+    velocity[0] = -spin[0] * arm[1];
+    velocity[1] = spin[0] * arm[0];
+  }
+}
+template <int D, class Real>
+[[gnu::always_inline]] inline void moment_of(const Real *arm, const Real *force, Real *torque) {
+  if constexpr (D == 3) {
+    turn_arm<3>(arm, force, torque);
+  } else {
+    torque[0] = arm[0] * force[1] - arm[1] * force[0];
   }
 }
 
-// arm x force: the torque of a force that acts at `arm` from the centre.
+template <int D, class Real>
+Vec<D, Real> turn(const Spin<D, Real> &spin, const Vec<D, Real> &arm) {
+  Vec<D, Real> velocity;
+  turn_arm<D>(spin.data(), arm.data(), velocity.data());
+  return velocity;
+}
 template <int D, class Real>
 Spin<D, Real> moment(const Vec<D, Real> &arm, const Vec<D, Real> &force) {
-  if constexpr (D == 3) {
-    return turn<3, Real>(arm, force);
-  } else {
-    return Spin<D, Real>(arm[0] * force[1] - arm[1] * force[0]);
-  }
+  Spin<D, Real> torque;
+  moment_of<D>(arm.data(), force.data(), torque.data());
+  return torque;
 }
 
 }  // namespace dem

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dem/effects/contact_law.hpp"
+#include "dem/effects/rubbing.hpp"
 #include "dem/effects/table.hpp"
 
 #include <array>
@@ -43,14 +44,20 @@ struct History {
     next = 0;
   }
 
+  // Where the pair at this place, behind those asked for, stands among those before; else as many as they are.
+  size_t find(uint32_t place) {
+    while (next < before.places.size() && before.places[next] < place) next++;
+    return next < before.places.size() && before.places[next] == place ? next : before.places.size();
+  }
+
   // The pair at this place touches: its rows, those of the pass before or 0, are the last of `now`.
   template <EffectSet E>
   void meet(uint32_t place) {
-    while (next < before.places.size() && before.places[next] < place) next++;
-    const bool known = next < before.places.size() && before.places[next] == place;
+    const size_t former = find(place);
+    const bool known = former < before.places.size();
     now.places.push_back(place);
     for_rows<E>(
-        [&](size_t k) { now.rows[k].push_back(known ? before.rows[k][next] : Vec<D, Real>(Vec<D, Real>::Zero())); });
+        [&](size_t k) { now.rows[k].push_back(known ? before.rows[k][former] : Vec<D, Real>(Vec<D, Real>::Zero())); });
   }
 
   Vec<D, Real> &row(Effect effect) { return now.rows[history_of(effect)].back(); }
@@ -71,37 +78,19 @@ struct ContactForce {
   Spin<D, Real> rolling;  // (rolling)
 };
 
-// Spring and dashpot side by side, in series with the slider of Cundall and Strack: `stretch` is what the spring
-// remembers, `velocity` the relative velocity in the tangent plane of `normal`, `limit` the most that the slider bears.
-// Returns the force against the motion.
-template <int D, class Real>
-Vec<D, Real> slider_force(Vec<D, Real> &stretch, const Vec<D, Real> &normal, const Vec<D, Real> &velocity, Real step,
-                          Real stiffness, Real damping, Real limit) {
-  if (!(limit > 0)) {  // nothing presses the surfaces together: nothing to remember
-    stretch.setZero();
-    return stretch;
-  }
-  stretch -= normal * normal.dot(stretch);  // the contact has turned since the last step
-  const Vec<D, Real> stretched = stretch + velocity * step;
-  Vec<D, Real> force = -stiffness * stretched - damping * velocity;
-  // While the surfaces slide, spring and dashpot bear the limit together, so the spring follows at the rate that the
-  // dashpot allows. Were it put where it bears the limit alone, a contact would be wound up further than it has moved,
-  // and gain energy.
-  const Real size = force.norm();
-  const bool slides = size > limit;
-  const Real borne[2] = {1, limit / size};
-  force *= borne[slides];
-  const Real firmness = damping + stiffness * step;
-  Vec<D, Real> followed[2] = {stretched, stretch};  // no branch: which contacts slide cannot be foreseen
-  if (firmness > 0) followed[1] = (damping * stretch - step * force) / firmness;
-  stretch = followed[slides];
-  return force;
-}
-
 // The stiffness of the spring whose stretch an effect remembers, over that of the normal spring.
 template <class Real>
 constexpr Real stiffness_ratio(const ContactLaw<Real> &law, Effect effect) {
   return effect == kFriction ? law.tangential_ratio : effect == kRolling ? law.rolling_ratio : Real(0);
+}
+
+template <class Real>
+Slider<Real> friction_slider(const ContactLaw<Real> &law, const NormalForce<Real> &normal) {
+  return {law.tangential_ratio * normal.stiffness, law.tangential_ratio * normal.damping, law.friction * normal.spring};
+}
+template <class Real>
+Slider<Real> rolling_slider(const ContactLaw<Real> &law, const NormalForce<Real> &normal) {
+  return {law.rolling_ratio * normal.stiffness, law.rolling_ratio * normal.damping, law.rolling * normal.spring};
 }
 
 // The force of the contact at place p of its list; `step`: the time since the forces of the pass before. `inline`,
@@ -114,23 +103,15 @@ inline ContactForce<D, Real> contact_force(const ContactLaw<Real> &law, Contact<
   if constexpr (has(E, kDissipation)) contact.closing_speed = contact.velocity.dot(contact.normal);
   const NormalForce<Real> normal = normal_force<E, Real>(law, contact);
   result.force = -normal.value * contact.normal;
-  // Luding, Granul. Matter 10 (2008) 235, sections 2.3 and 2.4; friction, rolling: springs in the tangent plane.
   if constexpr (has(E, kFriction)) {
-    const Vec<D, Real> surface_velocity = contact.velocity + turn<D, Real>(contact.turning, contact.normal);
-    const Vec<D, Real> along = surface_velocity - contact.normal * contact.normal.dot(surface_velocity);
-    const Vec<D, Real> tangential =
-        slider_force<D>(history->row(kFriction), contact.normal, along, step, law.tangential_ratio * normal.stiffness,
-                        law.tangential_ratio * normal.damping, law.friction * normal.spring);
+    Vec<D, Real> tangential;
+    rub<D>(friction_slider(law, normal), contact.normal.data(), contact.velocity.data(), contact.turning.data(), step,
+           history->row(kFriction).data(), tangential.data(), result.moment.data());
     result.force += tangential;
-    result.moment = moment<D, Real>(contact.normal, tangential);
   }
   if constexpr (has(E, kRolling)) {
-    const Real radius = 1 / contact.inverse_radius;
-    const Vec<D, Real> turning = radius * turn<D, Real>(contact.spin, contact.normal);
-    const Vec<D, Real> resistance =
-        slider_force<D>(history->row(kRolling), contact.normal, turning, step, law.rolling_ratio * normal.stiffness,
-                        law.rolling_ratio * normal.damping, law.rolling * normal.spring);
-    result.rolling = radius * moment<D, Real>(contact.normal, resistance);
+    roll<D>(rolling_slider(law, normal), contact.normal.data(), contact.spin.data(), 1 / contact.inverse_radius, step,
+            history->row(kRolling).data(), result.rolling.data());
   }
   return result;
 }

@@ -79,8 +79,10 @@ class Forces {
     if (!stretches.empty()) stretch = stretches[p];
     energy = 0.5 * ratio * normal.stiffness * stretch.squaredNorm();
     const Vector<D> tangent = velocity - load.normal * load.normal.dot(velocity);
-    return slider_force<D, double>(stretch, load.normal, tangent, 0, ratio * normal.stiffness, ratio * normal.damping,
-                                   limit);
+    Vector<D> force;
+    slider_force<D>(Slider<double>{ratio * normal.stiffness, ratio * normal.damping, limit}, load.normal.data(),
+                    tangent.data(), 0.0, stretch.data(), force.data());
+    return force;
   }
 
   EffectSet effects_;

@@ -5,6 +5,7 @@
 
 #include "dem/effects/contact_force.hpp"
 #include "dem/kernels/contact_batch.hpp"
+#include "dem/kernels/rough_batch.hpp"
 #include "dem/state/bodies.hpp"
 #include "dem/state/boundary.hpp"
 
@@ -20,9 +21,10 @@ struct ContactTask {
   const Boundary<D, Real> *boundary;
   const ContactLaw<Real> *laws;  // one for all; of materials a and b: [a * law_row + b]
   size_t law_row;
-  Real step;                                  // the time since the forces were last computed
-  Real range;                                 // how far surfaces act beyond touching
-  BatchFiller<D, Real> fill_batch = nullptr;  // of two particles
+  Real step;                                    // the time since the forces were last computed
+  Real range;                                   // how far surfaces act beyond touching
+  BatchFiller<D, Real> fill_batch = nullptr;    // of two particles
+  RoughKernel<D, Real> rough_kernel = nullptr;  // of those with friction
 };
 
 // The law of particle i with another, or with a wall whose materials the boundary knows.
