@@ -3,6 +3,7 @@
 #include "src/search/contact_visit.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace hg {
 
@@ -23,19 +24,30 @@ ContactVisit::ContactVisit(const PairGeometry &geometry, const ParticleStore &st
   for (size_t axis = 0; axis < dimension_; axis++) component_[axis].require(HG_MAX_BATCH);
 }
 
+// Centres and radii of a pair, on their way from memory: ids jump about in it.
+void ContactVisit::fetch(const hg_pair &pair) const {
+  for (const int32_t id : {pair.a, pair.b}) {
+    const size_t slot = store_.slot(id);
+    __builtin_prefetch(store_.center(slot));
+    __builtin_prefetch(store_.radii() + slot);
+  }
+}
+
 // vector_of(pair, a, b, room) is the vector of a pair of slots a and b, where it is kept or in the room.
-template <class VectorOf>
+template <size_t D, class VectorOf>
 bool ContactVisit::take_each(const hg_pair *pairs, size_t count, VectorOf &&vector_of) {
+  constexpr size_t kAhead = 16;
   for (size_t first = 0; first < count; first += HG_MAX_BATCH) {
     const size_t batch = std::min<size_t>(HG_MAX_BATCH, count - first);
     for (size_t k = 0; k < batch; k++) {
+      if (store_.contiguous() && first + k + kAhead < count) fetch(pairs[first + k + kAhead]);
       const hg_pair pair = pairs[first + k];
       const size_t a = store_.slot(pair.a), b = store_.slot(pair.b);
-      double room[3];
+      double room[D];
       const double *vector = vector_of(first + k, a, b, room);
       a_[k] = pair.a;
       b_[k] = pair.b;
-      for (size_t axis = 0; axis < dimension_; axis++) component_[axis][k] = vector[axis];
+      for (size_t axis = 0; axis < D; axis++) component_[axis][k] = vector[axis];
       reach_[k] = geometry_.reach(a, b);
     }
     if (!hand_over(batch)) return false;
@@ -44,14 +56,20 @@ bool ContactVisit::take_each(const hg_pair *pairs, size_t count, VectorOf &&vect
 }
 
 bool ContactVisit::take(const hg_pair *pairs, size_t count) {
-  return take_each(pairs, count, [this](size_t, size_t a, size_t b, double *room) {
-    geometry_.find(a, b, room);
-    return room;
-  });
+  const auto find = [this](auto dimension) {
+    return [this](size_t, size_t a, size_t b, double *room) {
+      geometry_.find<decltype(dimension)::value>(a, b, room);
+      return room;
+    };
+  };
+  using Flat = std::integral_constant<int, 2>;
+  using Solid = std::integral_constant<int, 3>;
+  return dimension_ == 3 ? take_each<3>(pairs, count, find(Solid())) : take_each<2>(pairs, count, find(Flat()));
 }
 
 bool ContactVisit::take(const hg_pair *pairs, const double *vectors, size_t count) {
-  return take_each(pairs, count, [=](size_t pair, size_t, size_t, double *) { return vectors + pair * dimension_; });
+  const auto look_up = [=](size_t pair, size_t, size_t, double *) { return vectors + pair * dimension_; };
+  return dimension_ == 3 ? take_each<3>(pairs, count, look_up) : take_each<2>(pairs, count, look_up);
 }
 
 bool ContactVisit::hand_over(size_t count) {

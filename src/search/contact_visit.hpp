@@ -23,7 +23,8 @@ class ContactVisit {
   bool take(const hg_pair *pairs, const double *vectors, size_t count);
 
  private:
-  template <class VectorOf>
+  void fetch(const hg_pair &pair) const;
+  template <size_t D, class VectorOf>
   bool take_each(const hg_pair *pairs, size_t count, VectorOf &&vector_of);
   bool hand_over(size_t count);
 

@@ -22,9 +22,13 @@ class PairGeometry {
   // Of a pair, given by slots, that has one image only: its shift, and x_b + shift - x_a, each component rounded once.
   // Most pairs do not meet through a face.
   Shift find(size_t a, size_t b, double *components) const {
-    const double *from = store_.center(a), *to = store_.center(b);
+    return domain_.dimension == 3 ? find<3>(a, b, components) : find<2>(a, b, components);
+  }
+  template <int D>
+  Shift find(size_t a, size_t b, double *components) const {
+    const double *from = store_.centers() + a * D, *to = store_.centers() + b * D;
     double distance2 = 0;
-    for (int axis = 0; axis < domain_.dimension; axis++) {
+    for (int axis = 0; axis < D; axis++) {
       components[axis] = to[axis] - from[axis];
       distance2 += components[axis] * components[axis];
     }
