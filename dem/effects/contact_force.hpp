@@ -29,6 +29,12 @@ template <int D, class Real>
 struct Remembered {
   std::vector<uint32_t> places;
   std::array<std::vector<Vec<D, Real>>, kHistoryCount> rows;  // by history_of(effect); empty without the effect
+
+  // Keeps its memory.
+  void clear() {
+    places.clear();
+    for (auto &contacts : rows) contacts.clear();
+  }
 };
 
 template <int D, class Real>
@@ -39,8 +45,7 @@ struct History {
   // A pass over all pairs begins.
   void begin_pass() {
     std::swap(before, now);
-    now.places.clear();
-    for (auto &rows : now.rows) rows.clear();
+    now.clear();
     next = 0;
   }
 

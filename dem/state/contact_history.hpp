@@ -31,6 +31,12 @@ struct ContactRows {
   std::vector<hg_pair> pairs;
   std::array<std::vector<Vec<D, Real>>, kHistoryCount> rows;
 
+  // Keeps its memory.
+  void clear() {
+    pairs.clear();
+    for (auto &contacts : rows) contacts.clear();
+  }
+
   // Where a pair stands; pairs.size(): nowhere.
   size_t find(const hg_pair &pair) const {
     const auto before = [](const hg_pair &x, const hg_pair &y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
@@ -48,14 +54,21 @@ class ContactHistory {
 
   // Before `list` ends. Once packed it stays so, until there is a new list.
   void pack(PairView list) {
-    packed_ = contacts_of(list);
-    parts_.clear();
+    if (!unpacked_) return;
+    packed_.clear();
+    add_all(list, packed_);
+    unpacked_ = false;
   }
 
   // Old contacts keep their rows, new ones start with none. The parts that have no sources are in order, and the list
   // is all of them.
   void unpack(PairView list, const std::vector<ListPart> &parts) {
-    parts_.assign(parts.size(), {});
+    parts_.resize(parts.size());
+    for (History<D, Real> &part : parts_) {
+      part.before.clear();
+      part.now.clear();
+    }
+    unpacked_ = true;
     whole_.clear();
     for (const ListPart &part : parts) whole_.push_back(part.sources == nullptr);
     if (effects_ == 0) return;
@@ -81,11 +94,9 @@ class ContactHistory {
 
   // Those that remember anything; a contact whose rows are 0 is as good as new.
   ContactRows<D, Real> contacts_of(PairView list) const {
-    if (parts_.empty()) return packed_;
+    if (!unpacked_) return packed_;
     ContactRows<D, Real> result;
-    for (size_t k = 0; k < parts_.size(); k++) {
-      if (whole_[k]) add_contacts(list, parts_[k].now, result);
-    }
+    add_all(list, result);
     return result;
   }
 
@@ -110,7 +121,7 @@ class ContactHistory {
   }
 
   void restore(const std::string &name, const Checkpoint &checkpoint) {
-    parts_.clear();
+    unpacked_ = false;
     if (effects_ == 0) return;
     checkpoint.get_all(name + " pairs", packed_.pairs);
     for (const EffectRow &row : kEffects) {
@@ -122,6 +133,12 @@ class ContactHistory {
   }
 
  private:
+  void add_all(PairView list, ContactRows<D, Real> &result) const {
+    for (size_t k = 0; k < parts_.size(); k++) {
+      if (whole_[k]) add_contacts(list, parts_[k].now, result);
+    }
+  }
+
   static void add_contacts(PairView list, const Remembered<D, Real> &contacts, ContactRows<D, Real> &result) {
     for (size_t p = 0; p < contacts.places.size(); p++) {
       if (is_blank(contacts, p)) continue;
@@ -144,7 +161,8 @@ class ContactHistory {
   bool is_saved(const EffectRow &row) const { return row.history != nullptr && has(effects_, row.effect | row.needs); }
 
   EffectSet effects_;
-  std::vector<History<D, Real>> parts_;  // empty while packed
+  bool unpacked_ = false;                // into the parts
+  std::vector<History<D, Real>> parts_;  // keep their memory
   std::vector<bool> whole_;              // whether a part is no copy
   ContactRows<D, Real> packed_;
 };
