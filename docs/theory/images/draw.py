@@ -63,7 +63,9 @@ class Picture:
     def save(self, path):
         wide, high = self.width * self.scale, self.height * self.scale
         head = (
+            # REUSE-IgnoreStart
             "<!-- SPDX-FileCopyrightText: The libhgrid developers; SPDX-License-Identifier: BSD-3-Clause -->\n"
+            # REUSE-IgnoreEnd
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{wide:.0f}" height="{high:.0f}" '
             f'viewBox="0 0 {wide:.0f} {high:.0f}" font-family="Helvetica, Arial, sans-serif">\n'
             '<defs><marker id="arrow" viewBox="0 0 10 10" refX="9" refY="5" markerWidth="7" markerHeight="7" '

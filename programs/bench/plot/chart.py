@@ -109,7 +109,9 @@ class Picture:
 
     def save(self, path):
         head = (
+            # REUSE-IgnoreStart
             "<!-- SPDX-FileCopyrightText: The libhgrid developers; SPDX-License-Identifier: BSD-3-Clause -->\n"
+            # REUSE-IgnoreEnd
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{self.width}" height="{self.height}" '
             f'viewBox="0 0 {self.width} {self.height}" font-family="Helvetica, Arial, sans-serif">\n'
             f'{self.style()}\n<rect width="100%" height="100%" class="page"/>\n'
