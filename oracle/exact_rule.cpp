@@ -17,7 +17,9 @@ mpq_class exact_squared_distance(const hg_grid_def &def, const double *a, const 
   mpq_class sum = 0;
   for (int axis = 0; axis < def.dimension; axis++) {
     mpq_class d = mpq_class(b[axis]) - mpq_class(a[axis]);
-    for (int edge = axis; edge < def.dimension; edge++) d += shift.n[edge] * cell.edge[axis][edge];
+    // The shifts are whole doubles; GMP knows no int64_t where long has 32 bits.
+    for (int edge = axis; edge < def.dimension; edge++)
+      d += mpq_class(static_cast<double>(shift.n[edge])) * cell.edge[axis][edge];
     sum += d * d;
   }
   return sum;

@@ -104,7 +104,7 @@ int WorkerPool::take_desk() {
 void WorkerPool::hire(int helpers) noexcept {
   if (hired_ >= helpers) return;
   const std::lock_guard<std::mutex> guard(lock_);
-  const SignalsBlocked blocked;
+  [[maybe_unused]] const SignalsBlocked blocked;
   try {
     for (; hired_ < helpers; hired_++) std::thread([this] { serve(); }).detach();
   } catch (...) {

@@ -4,6 +4,8 @@
 // nothing: there `x < 0` and `a > b` do not see all of them.
 #pragma once
 
+#include "src/base/arithmetic.hpp"
+
 #include <cstdint>
 #include <cstring>
 

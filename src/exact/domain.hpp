@@ -4,6 +4,8 @@
 // is searched as a right-angled box: moved by whole edges a, b and c, the box fills space as well as the cell does.
 #pragma once
 
+#include "src/base/arithmetic.hpp"
+
 #include <cmath>
 #include <cstdint>
 

@@ -3,6 +3,7 @@
 #include "src/exact/exact_sign.hpp"
 
 #include "src/base/ordered_bits.hpp"
+#include "src/base/wide.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@ namespace {
 // relative to the least one present, sums become integers of at most 2097 + 53 + 33 (factor) + 4 (terms, sign) bits.
 constexpr int kMaxLimbs = 35;
 using Limb = uint64_t;
-__extension__ using Wide = __int128;
-__extension__ using WideLimb = unsigned __int128;
 
 struct Parts {
   bool negative;
@@ -41,11 +40,13 @@ Parts decompose(double value) {
   return parts;
 }
 
+Limb size_of(int64_t factor) { return factor < 0 ? Limb{0} - static_cast<Limb>(factor) : static_cast<Limb>(factor); }
+
 // A two's-complement integer of a run-time number of limbs, least significant first.
 struct Integer {
   Limb limb[kMaxLimbs];
 
-  void add(WideLimb magnitude, int shift, bool negative, int limbs) {
+  void add(Wide magnitude, int shift, bool negative, int limbs) {
     const int first = shift / 64, bits = shift % 64;
     Limb part[3];
     part[0] = static_cast<Limb>(magnitude << bits);
@@ -85,7 +86,7 @@ void add_square(Limb *square, const Integer &value, int limbs) {
     if (value.limb[i] == 0) continue;
     Limb carry = 0;
     for (int j = 0; j < limbs; j++) {
-      const WideLimb sum = static_cast<WideLimb>(value.limb[i]) * value.limb[j] + square[i + j] + carry;
+      const Wide sum = wide_product(value.limb[i], value.limb[j]) + square[i + j] + carry;
       square[i + j] = static_cast<Limb>(sum);
       carry = static_cast<Limb>(sum >> 64);
     }
@@ -101,8 +102,7 @@ Integer to_integer(const ExactSum &sum, int least_exponent, int limbs, bool *neg
     const Parts parts = decompose(sum.terms[k].value);
     const int64_t factor = sum.terms[k].factor;
     if (parts.mantissa == 0 || factor == 0) continue;
-    const Limb size = factor < 0 ? Limb{0} - static_cast<Limb>(factor) : static_cast<Limb>(factor);
-    integer.add(static_cast<WideLimb>(parts.mantissa) * size, parts.exponent - least_exponent,
+    integer.add(wide_product(parts.mantissa, size_of(factor)), parts.exponent - least_exponent,
                 parts.negative != (factor < 0), limbs);
   }
   if (negative != nullptr) *negative = integer.limb[limbs - 1] >> 63 != 0;
@@ -132,11 +132,10 @@ bool fits_word(const ExactSum &sum, int least_exponent, Limb &size) {
   for (int k = 0; k < sum.count; k++) {
     const Parts parts = decompose(sum.terms[k].value);
     if (parts.mantissa == 0 || sum.terms[k].factor == 0) continue;
-    const Wide term =
-        static_cast<Wide>(parts.mantissa) * sum.terms[k].factor * (Wide{1} << (parts.exponent - least_exponent));
-    total += parts.negative ? -term : term;
+    const Wide term = wide_product(parts.mantissa, size_of(sum.terms[k].factor)) << (parts.exponent - least_exponent);
+    total += parts.negative != (sum.terms[k].factor < 0) ? -term : term;
   }
-  const Wide positive = total < 0 ? -total : total;
+  const Wide positive = total >> 127 == 0 ? total : -total;
   size = static_cast<Limb>(positive);
   return positive >> 63 == 0;
 }
@@ -147,11 +146,11 @@ bool decide_in_words(const ExactSum *difference, int dimension, const ExactSum &
   if (range.greatest - range.least > kWordShift) return false;
   Limb size = 0;
   if (!fits_word(reach, range.least, size)) return false;
-  const WideLimb reach2 = static_cast<WideLimb>(size) * size;
-  WideLimb distance2 = 0;  // three squares below 2^126 each
+  const Wide reach2 = wide_product(size, size);
+  Wide distance2 = 0;  // three squares below 2^126 each
   for (int axis = 0; axis < dimension; axis++) {
     if (!fits_word(difference[axis], range.least, size)) return false;
-    distance2 += static_cast<WideLimb>(size) * size;
+    distance2 += wide_product(size, size);
   }
   order = distance2 < reach2 ? -1 : (distance2 > reach2 ? 1 : 0);
   return true;

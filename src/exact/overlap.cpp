@@ -8,8 +8,6 @@
 #include <cmath>
 #include <functional>
 
-static_assert(FLT_EVAL_METHOD == 0, "HG_DOUBLE is defined by double arithmetic without extended precision");
-
 namespace hg {
 namespace {
 

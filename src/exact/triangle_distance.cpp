@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "src/exact/triangle_distance.hpp"
 
+#include "src/base/arithmetic.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "src/base/memory.hpp"
+#include "src/base/wide.hpp"
 #include "src/history/contact_key.hpp"
 
 #include <cstddef>
@@ -14,8 +15,7 @@ namespace hg {
 
 // A number below `range` from the upper bits of a hash.
 inline size_t scale_hash(uint64_t hash, size_t range) {
-  __extension__ using Wide = unsigned __int128;
-  return static_cast<size_t>(static_cast<Wide>(hash) * range >> 64);
+  return static_cast<size_t>(static_cast<uint64_t>(wide_product(hash, range) >> 64));
 }
 
 // One bit for each of some keys, in so little memory that it stays in the nearest cache while a few are looked for

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs a program under each instruction set and compares what it prints, which is then printed once.
-# same_bytes.sh SET... -- PROGRAM [ARGUMENT...]
+# Runs a program under each instruction set and compares what it prints with a file.
+# same_bytes.sh EXPECTED SET... -- PROGRAM [ARGUMENT...]
 set -eu
-sets=
+expected=$1 sets=
+shift
 while [ "$1" != -- ]; do
   sets="$sets $1"
   shift
@@ -20,11 +21,8 @@ for set in $sets; do
     cat "$work/$set" "$work/errors" >&2
     exit 1
   fi
-  if [ ! -e "$work/expected" ]; then
-    cp "$work/$set" "$work/expected"
-  elif ! diff -u "$work/expected" "$work/$set" >&2; then
+  if ! diff -u "$expected" "$work/$set" >&2; then
     echo "$set gives other pairs, or another order" >&2
     exit 1
   fi
 done
-cat "$work/expected"

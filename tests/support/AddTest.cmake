@@ -22,13 +22,7 @@ endfunction()
 # hgrid_add_instruction_sets(<test> <label> <target> [<argument>...]): the program again as <test>.<set> with each
 # instruction set that this kind of machine can have; without a choice the library takes the best one.
 function(hgrid_add_instruction_sets test label target)
-  set(sets scalar)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    list(APPEND sets sse2 avx2 avx512)
-  elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64|ARM64")
-    list(APPEND sets neon)
-  endif()
-  foreach(set ${sets})
+  foreach(set ${HGRID_INSTRUCTION_SETS})
     add_test(NAME ${test}.${set} COMMAND ${target} ${ARGN})
     set_tests_properties(
       ${test}.${set}

@@ -125,7 +125,7 @@ std::vector<Point> draw_groups(Rng &rng, Places places, double edge) {
 void shrink_groups(Rng &rng, Particles &particles, double edge) {
   const auto dimension = static_cast<size_t>(particles.dimension);
   for (size_t i = 0; i < particles.count();) {
-    const size_t end = std::min(particles.count(), i + 1 + rng.below(80));
+    const size_t end = std::min(particles.count(), i + 1 + static_cast<size_t>(rng.below(80)));
     const double share = std::pow(10, rng.uniform(-6, 0));
     const Point corner = in_cube(rng, edge);
     for (; i < end; i++) {

@@ -119,7 +119,7 @@ inline mpq_class exact_square(const hg::Domain &domain, const hg::Shift &shift) 
 
 inline mpq_class exact_value(const hg::ExactSum &sum) {
   mpq_class value = 0;
-  for (int k = 0; k < sum.count; k++) value += mpq_class(sum.terms[k].value) * static_cast<long>(sum.terms[k].factor);
+  for (int k = 0; k < sum.count; k++) value += mpq_class(sum.terms[k].value) * static_cast<double>(sum.terms[k].factor);
   return value;
 }
 

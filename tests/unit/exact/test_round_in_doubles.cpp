@@ -17,7 +17,7 @@ using hg::ExactSum;
 mpq_class rational(const ExactSum &sum) {
   mpq_class total = 0;
   for (int k = 0; k < sum.count; k++) {
-    total += mpq_class(sum.terms[k].value) * mpq_class(mpz_class(static_cast<long>(sum.terms[k].factor)));
+    total += mpq_class(sum.terms[k].value) * mpq_class(static_cast<double>(sum.terms[k].factor));
   }
   return total;
 }
