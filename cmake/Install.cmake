@@ -1,14 +1,9 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
 # Install rules of the library, its headers, the Fortran module, the CMake package and the pkg-config files.
-# Nothing that is installed knows the prefix: the whole tree may be moved.
+# Nothing that is installed knows the prefix: the whole tree may be moved. Folders may be absolute, as Nix has them; then
+# what lies there stays there.
 include(CMakePackageConfigHelpers)
-
-foreach(dir IN ITEMS LIBDIR INCLUDEDIR DATADIR)
-  if(IS_ABSOLUTE "${CMAKE_INSTALL_${dir}}")
-    message(FATAL_ERROR "CMAKE_INSTALL_${dir} is ${CMAKE_INSTALL_${dir}}, but must be relative to the prefix")
-  endif()
-endforeach()
 
 set(HGRID_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/hgrid)
 set(HGRID_PKGCONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
@@ -48,8 +43,17 @@ endif()
 install(FILES ${HGRID_FORTRAN_FILES} ${PROJECT_BINARY_DIR}/cmake/hgrid_all.f90 DESTINATION ${HGRID_FORTRAN_SOURCEDIR})
 
 get_target_property(HGRID_LIBRARY_TYPE hgrid TYPE)
-# Whoever links the static library must add the C++ runtime that the shared one brings along.
-set(HGRID_RUNTIME_LIBS "-lstdc++ -lm -pthread")
+# For pkg-config: names become -lNAME, paths stay.
+list(TRANSFORM HGRID_RUNTIME_LIBRARIES PREPEND -l REGEX "^[^/-]" OUTPUT_VARIABLE HGRID_RUNTIME_LIBS)
+if(HGRID_THREADS AND UNIX AND NOT "-pthread" IN_LIST HGRID_RUNTIME_LIBS)
+  list(APPEND HGRID_RUNTIME_LIBS -pthread)
+endif()
+list(JOIN HGRID_RUNTIME_LIBS " " HGRID_RUNTIME_LIBS)
+set(HGRID_PC_THREADS no)
+if(HGRID_THREADS)
+  set(HGRID_PC_THREADS yes)
+endif()
+list(JOIN HGRID_INSTRUCTION_SETS " " HGRID_PC_INSTRUCTION_SETS)
 configure_package_config_file(
   cmake/hgridConfig.cmake.in cmake/hgridConfig.cmake
   INSTALL_DESTINATION ${HGRID_PACKAGE_DIR}
@@ -70,8 +74,21 @@ else()
   set(HGRID_PC_PRIVATE_LIBS "${HGRID_RUNTIME_LIBS}")
   set(HGRID_PC_CFLAGS "")
 endif()
-file(RELATIVE_PATH HGRID_PC_TO_PREFIX /prefix/${HGRID_PKGCONFIG_DIR} /prefix)
-string(REGEX REPLACE "/$" "" HGRID_PC_TO_PREFIX ${HGRID_PC_TO_PREFIX})
+# Paths in files of pkg-config follow the file if the tree is moved, unless they are absolute.
+if(IS_ABSOLUTE "${HGRID_PKGCONFIG_DIR}")
+  set(HGRID_PC_PREFIX "${CMAKE_INSTALL_PREFIX}")
+else()
+  file(RELATIVE_PATH HGRID_PC_PREFIX /prefix/${HGRID_PKGCONFIG_DIR} /prefix)
+  string(REGEX REPLACE "/$" "" HGRID_PC_PREFIX "\${pcfiledir}/${HGRID_PC_PREFIX}")
+endif()
+foreach(pair IN ITEMS LIBDIR:CMAKE_INSTALL_LIBDIR INCLUDEDIR:CMAKE_INSTALL_INCLUDEDIR
+                      MODULEDIR:HGRID_FORTRAN_INCLUDEDIR SOURCEDIR:HGRID_FORTRAN_SOURCEDIR)
+  string(REGEX MATCH "(.*):(.*)" pair ${pair})
+  set(HGRID_PC_${CMAKE_MATCH_1} "${${CMAKE_MATCH_2}}")
+  if(NOT IS_ABSOLUTE "${HGRID_PC_${CMAKE_MATCH_1}}")
+    string(PREPEND HGRID_PC_${CMAKE_MATCH_1} "\${prefix}/")
+  endif()
+endforeach()
 set(HGRID_PC_FILES hgrid)
 if(TARGET hgrid_mpi)
   # The MPI that the library was built with: another one has other types.

@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Install rules of the built Fortran library. Module files fit one compiler only: their folder carries its name and version.
 set(HGRID_FORTRAN_COMPILER ${CMAKE_Fortran_COMPILER_ID}-${CMAKE_Fortran_COMPILER_VERSION})
-set(HGRID_FORTRAN_INCLUDEDIR ${CMAKE_INSTALL_INCLUDEDIR}/hgrid/${HGRID_FORTRAN_COMPILER})
+set(HGRID_FORTRAN_MODULE_DIR
+    ${CMAKE_INSTALL_INCLUDEDIR}/hgrid/${HGRID_FORTRAN_COMPILER}
+    CACHE STRING "Where the files of Fortran modules go, relative to the prefix or absolute")
+set(HGRID_FORTRAN_INCLUDEDIR ${HGRID_FORTRAN_MODULE_DIR})
 
 set_target_properties(hgrid_fortran PROPERTIES EXPORT_NAME fortran INSTALL_RPATH "$ORIGIN")
 target_include_directories(hgrid_fortran INTERFACE $<INSTALL_INTERFACE:${HGRID_FORTRAN_INCLUDEDIR}>)

@@ -90,7 +90,7 @@ hgrid_configure() {
   fi
   if [[ -f $hgrid_build_dir/build.ninja ]]; then
     if [[ $whole == OFF ]] ||
-      { grep -q '^HGRID_BUILD_TESTS:BOOL=ON' "$cache" && grep -q '^HGRID_BUILD_MPI:BOOL=ON' "$cache"; }; then
+      { grep -q '^HGRID_BUILD_TESTS:[A-Z]*=ON' "$cache" && grep -q '^HGRID_BUILD_MPI:BOOL=ON' "$cache"; }; then
       return
     fi
   fi

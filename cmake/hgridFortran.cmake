@@ -12,13 +12,20 @@ function(hgrid_try_modules)
   # Nothing is linked: the libraries are not known yet.
   set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
   set(work "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/hgrid_modules")
-  file(WRITE "${work}/uses.f90" "subroutine uses(grid)\nuse hgrid\ntype(hg_grid) :: grid\ncall grid%clear()\nend\n")
+  # Modules of another version, left over in a folder, do not compile: 1 / 0.
+  string(REPLACE "." ", " version "${hgrid_VERSION}")
+  file(WRITE "${work}/uses.f90"
+       "subroutine uses(grid)\nuse hgrid\ntype(hg_grid) :: grid\n"
+       "integer, parameter :: own(3) = [HG_VERSION_MAJOR, HG_VERSION_MINOR, HG_VERSION_PATCH]\n"
+       "integer, parameter :: same = 1 / merge(1, 0, all(own == [${version}]))\n"
+       "if (same == 1) call grid%clear()\nend\n")
   try_compile(hgrid_FORTRAN_MODULES_FIT "${work}/build" SOURCES "${work}/uses.f90"
               CMAKE_FLAGS "-DINCLUDE_DIRECTORIES=${hgrid_FORTRAN_MODULES}")
 endfunction()
 
 function(hgrid_add_fortran_from_source)
-  message(STATUS "hgrid: the Fortran module is compiled from its sources for ${CMAKE_Fortran_COMPILER_ID}")
+  message(STATUS "hgrid: the Fortran module is compiled from its sources for ${CMAKE_Fortran_COMPILER_ID}; "
+                 "${hgrid_FORTRAN_MODULES} holds no modules of version ${hgrid_VERSION} that it reads")
   list(TRANSFORM hgrid_FORTRAN_SOURCES PREPEND "${hgrid_FORTRAN_SOURCE_DIR}/")
   add_library(hgrid_fortran_from_source STATIC EXCLUDE_FROM_ALL ${hgrid_FORTRAN_SOURCES})
   set(modules "${CMAKE_CURRENT_BINARY_DIR}/hgrid_fortran_from_source")

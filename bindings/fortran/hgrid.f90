@@ -18,7 +18,7 @@ module hgrid
         HG_ERR_LIMIT, HG_ERR_MEMORY, HG_ERR_MPI, HG_ERR_NOT_FOUND, HG_ERR_NULL, HG_ERR_REMOTE, &
         HG_ERR_STATE, HG_EXACT, HG_FLOAT, HG_FULL, HG_HALF, HG_LEVELS_AUTO, HG_LEVELS_PAPER, HG_LEVELS_USER, &
         HG_MAX_BATCH, HG_MAX_GROUPS, HG_MAX_LEVELS, HG_MAX_RANGE, HG_NEAREST_IMAGE, HG_OK, &
-        HG_ORDER_GRID, HG_ORDER_ID
+        HG_ORDER_GRID, HG_ORDER_ID, HG_VERSION_MAJOR, HG_VERSION_MINOR, HG_VERSION_PATCH
     use hgrid_visit, only: hg_contact_visitor, hg_pair_procedure, hg_pair_visitor
     implicit none
     private
@@ -31,6 +31,7 @@ module hgrid
     public :: HG_CONTACT, HG_MAX_RANGE, HG_EXACT, HG_DOUBLE, HG_FLOAT, HG_ORDER_GRID, HG_ORDER_ID
     public :: HG_LEVELS_AUTO, HG_LEVELS_PAPER, HG_LEVELS_USER, HG_HALF, HG_FULL, HG_MAX_LEVELS
     public :: HG_NEAREST_IMAGE, HG_ALL_IMAGES, HG_MAX_BATCH, HG_MAX_GROUPS
+    public :: HG_VERSION_MAJOR, HG_VERSION_MINOR, HG_VERSION_PATCH
     ! Kinds that declarations of arguments need, so that `use hgrid` is enough.
     public :: c_double, c_float, c_int32_t, c_int64_t
 

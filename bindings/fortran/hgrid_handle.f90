@@ -3,12 +3,12 @@
 
 !> The C grid that a Fortran grid stands for: its making, its end, and how calls on it end.
 module hgrid_handle
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_loc, c_ptr, &
-        c_size_t, c_sizeof
-    use hgrid_error, only: hg_error, raise, refuse_copies, settle, settle_on
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_int32_t, c_loc, &
+        c_ptr, c_size_t, c_sizeof
+    use hgrid_error, only: hg_error, number_text, raise, refuse_copies, settle, settle_on
     use hgrid_owner, only: disown, hg_owner, own, owned
-    use hgrid_types, only: c_hg_grid_def_init, hg_grid_def, hg_grid_stats, HG_ERR_ARGUMENT, &
-        HG_LEVELS_USER, HG_OK
+    use hgrid_types, only: c_hg_grid_def_init, c_hg_version, hg_grid_def, hg_grid_stats, &
+        HG_ERR_ARGUMENT, HG_ERR_STATE, HG_LEVELS_USER, HG_OK, HG_VERSION_MAJOR, HG_VERSION_MINOR
     implicit none
     private
 
@@ -85,7 +85,16 @@ contains
 
         type(c_ptr) :: created
         integer(c_int32_t) :: status
+        integer(c_int) :: loaded(3)
 
+        call c_hg_version(loaded(1), loaded(2), loaded(3))
+        ! Structs of another version may have other members.
+        if (loaded(1) /= HG_VERSION_MAJOR .or. loaded(2) /= HG_VERSION_MINOR) then
+            call raise(HG_ERR_STATE, 'create: module hgrid has version '// &
+                version_text(HG_VERSION_MAJOR, HG_VERSION_MINOR)//', the library that is loaded '// &
+                version_text(loaded(1), loaded(2)), err)
+            return
+        end if
         status = c_hg_create(def, created)
         if (status == HG_OK) then
             status = release(self)
@@ -98,6 +107,14 @@ contains
         end if
         call settle(status, 'create', err)
     end subroutine create_def
+
+    function version_text(major, minor) result(text)
+        !> Of the version
+        integer(c_int), intent(in) :: major, minor
+        character(len=:), allocatable :: text
+
+        text = number_text(int(major))//'.'//number_text(int(minor))
+    end function version_text
 
     !> As create(def), with the levels of HG_LEVELS_USER whatever def says of them.
     subroutine create_sizes(self, def, cell_sizes, err)

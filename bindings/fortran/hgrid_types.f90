@@ -16,6 +16,11 @@ module hgrid_types
     public :: c_hg_grid_def_init, c_hg_last_error, c_hg_set_allocator, c_hg_status_string
     public :: c_hg_version
 
+    !> The version of this module; hg_version tells that of the library that is loaded.
+    integer(c_int), parameter, public :: HG_VERSION_MAJOR = 0
+    integer(c_int), parameter, public :: HG_VERSION_MINOR = 1
+    integer(c_int), parameter, public :: HG_VERSION_PATCH = 0
+
     !> Status codes.
     integer(c_int32_t), parameter, public :: HG_OK = 0
     integer(c_int32_t), parameter, public :: HG_ERR_NULL = 1

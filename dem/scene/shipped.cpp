@@ -11,10 +11,6 @@
 
 namespace scene {
 
-std::string shipped_folder() {
-  return std::filesystem::is_directory(HGRID_SCENES_SOURCE) ? HGRID_SCENES_SOURCE : HGRID_SCENES_INSTALLED;
-}
-
 std::vector<Entry> scenes_in(const std::string &folder) {
   std::error_code error;
   std::vector<Entry> entries;

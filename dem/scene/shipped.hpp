@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The scenes of a folder, above all of the one that comes with the program.
+// The scenes of a folder, such as the one that comes with the program.
 #pragma once
 
 #include <string>
@@ -11,9 +11,6 @@ namespace scene {
 struct Entry {
   std::string path, title;
 };
-
-// The folder `scenes` of the source tree, or, where that is gone, the installed one.
-std::string shipped_folder();
 
 // All scenes of a folder by name. Throws dem::Error if there is none, or naming file and line of one that is not TOML.
 std::vector<Entry> scenes_in(const std::string &folder);

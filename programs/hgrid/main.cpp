@@ -21,7 +21,8 @@ enum ExitCode { kSuccess = 0, kFailure = 1, kUsage = 2 };
 std::string version_text() {
   int major = 0, minor = 0, patch = 0;
   hg_version(&major, &minor, &patch);
-  return "hgrid " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+  return "hgrid " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch) +
+         "\nthreads: " HGRID_THREADS_TEXT "\ninstruction sets: " HGRID_INSTRUCTION_SETS_TEXT;
 }
 
 void describe(CLI::App &parser) {

@@ -366,7 +366,9 @@ test_broken_output() {
 
 test_help() {
   local command
-  equal "version" "$("$hgrid" --version)" "hgrid $version"
+  equal "version" "$("$hgrid" --version | head -1)" "hgrid $version"
+  "$hgrid" --version | grep -qxE 'threads: (yes|no)' || fault "--version does not tell threads"
+  "$hgrid" --version | grep -qE '^instruction sets: scalar' || fault "--version does not tell instruction sets"
   for command in "" pairs levels pack bench slice; do
     # shellcheck disable=SC2086
     "$hgrid" $command --help >help.txt 2>err.txt || fault "$command --help fails"

@@ -5,6 +5,7 @@
 #include "dem/scene/shipped.hpp"
 #include "particles/text/output.hpp"
 #include "programs/hgrid/command.hpp"
+#include "programs/hgrid/own_folder.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -24,7 +25,7 @@ void list_scenes(const ScenesOptions &options) {
   if (options.keys) {
     out << scene::key_reference();
   } else {
-    const std::string folder = options.folder.empty() ? scene::shipped_folder() : options.folder;
+    const std::string folder = options.folder.empty() ? beside_program(HGRID_SCENES) : options.folder;
     for (const scene::Entry &entry : scene::scenes_in(folder)) out << entry.path << "\n    " << entry.title << '\n';
   }
   out.close();
