@@ -6,6 +6,7 @@
 
 #include "dem/setup/setup.hpp"
 #include "dem/state/checkpoint.hpp"
+#include "dem/state/handover.hpp"
 
 #include <hgrid/hgrid.h>
 
@@ -84,6 +85,8 @@ class Engine {
   // All leave the further course as it is, to the last bit.
   virtual Measurement measure() = 0;
   virtual Snapshot snapshot() = 0;
+  // What another simulation goes on from, as one that begins: the state at the time of the step.
+  virtual Handover hand_over() = 0;
 
   virtual std::vector<ContactLine> contacts() = 0;  // those that overlap, by a and b; a is before b
 
@@ -91,7 +94,7 @@ class Engine {
   // velocity Verlet, and with growth.
   virtual void count_work() = 0;
 
-  virtual uint64_t steps_done() const = 0;
+  virtual uint64_t steps_done() const = 0;  // those before the setup began included
   virtual double time() const = 0;
   virtual size_t pair_count() const = 0;   // pairs that the last step looked at
   virtual size_t state_bytes() const = 0;  // arrays of the particles and contacts, without the library's

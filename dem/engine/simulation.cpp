@@ -20,6 +20,7 @@ namespace {
 Setup without_particles(const Setup &setup) {
   Setup result = setup;
   static_cast<ParticleArrays &>(result) = {};
+  result.beginning.pairs = result.beginning.walls = {};
   return result;
 }
 
@@ -58,8 +59,10 @@ Simulation<D, Real>::Simulation(const Setup &setup, std::vector<uint32_t> places
       room_(search_.skin() / 2, goes_straight(setup)),
       pair_history_(setup.effects),
       wall_history_(setup.effects),
-      fastest_allowed_(dem::fastest_allowed(setup)) {
+      fastest_allowed_(dem::fastest_allowed(setup)),
+      steps_(setup.beginning.step) {
   load_bodies(setup);
+  load_history(setup.beginning);
 }
 
 // Where contacts get shorter with speed, too fast particles stop the run: what followed would be wrong in silence.
@@ -90,6 +93,12 @@ void Simulation<D, Real>::load_bodies(const Setup &setup) {
   }
 }
 
+template <int D, class Real>
+void Simulation<D, Real>::load_history(const Beginning &beginning) {
+  pair_history_.begin(renumbered_pairs(beginning.pairs, places_));
+  wall_history_.begin(renumbered_walls(beginning.walls, places_));
+}
+
 // Who could reach a wall after moving and growing so far.
 template <int D, class Real>
 void Simulation<D, Real>::list_walls(double within) {
@@ -110,7 +119,7 @@ void Simulation<D, Real>::run(uint64_t steps) {
     for (size_t k = 0; k < setup_.scheme.stages.size(); k++) {
       find_forces();
       Stage stage = setup_.scheme.stages[k];
-      if (steps_ == 0 && k == 0) stage.kick -= setup_.scheme.shared_kick;
+      if (steps_since_beginning() == 0 && k == 0) stage.kick -= setup_.scheme.shared_kick;
       if (counts_work_) tally(stage.kick * setup_.time_step);
       advance(stage);
     }
@@ -120,15 +129,11 @@ void Simulation<D, Real>::run(uint64_t steps) {
 }
 
 template <int D, class Real>
-double Simulation<D, Real>::position_time() const {
-  return time() + setup_.scheme.shared_drift * setup_.time_step;
-}
-
-template <int D, class Real>
 double Simulation<D, Real>::image_offset() const {
   if (!has(setup_.effects, kShear)) return 0;
   const double height = setup_.box_max[1] - setup_.box_min[1], length = setup_.box_max[0] - setup_.box_min[0];
-  return std::fmod(setup_.shear_rate * height * position_time(), length);
+  const double passed = since_beginning() + setup_.scheme.shared_drift * setup_.time_step;
+  return std::fmod(setup_.beginning.image_offset + setup_.shear_rate * height * passed, length);
 }
 
 template <int D, class Real>
@@ -217,7 +222,8 @@ double Simulation<D, Real>::grow() {
     const double time = std::min(static_cast<double>(step) * setup_.time_step, setup_.growth_end);
     return 1 + setup_.growth_rate * time;
   };
-  const double factor = scale(steps_ + 1) / scale(steps_);
+  const uint64_t done = steps_since_beginning();
+  const double factor = scale(done + 1) / scale(done);
   if (factor == 1) return 0;
   const auto radius_factor = static_cast<Real>(factor), mass_factor = static_cast<Real>(std::pow(factor, -D));
   Real largest = 0;

@@ -27,11 +27,12 @@ class Simulation final : public Engine {
   void run(uint64_t steps) override;
   Measurement measure() override;
   Snapshot snapshot() override;
+  Handover hand_over() override;
   std::vector<ContactLine> contacts() override;
   void count_work() override;
 
   uint64_t steps_done() const override { return steps_; }
-  double time() const override { return static_cast<double>(steps_) * setup_.time_step; }
+  double time() const override { return setup_.beginning.time + since_beginning(); }
   size_t pair_count() const override { return pair_count_; }
   size_t state_bytes() const override;
   hg_grid_stats grid_stats() const override { return search_.stats(); }
@@ -42,6 +43,7 @@ class Simulation final : public Engine {
  private:
   void require_speed() const;
   void load_bodies(const Setup &setup);
+  void load_history(const Beginning &beginning);
   void list_walls(double within);
   PairView walls() const { return {walls_.data(), walls_.size()}; }
 
@@ -65,10 +67,11 @@ class Simulation final : public Engine {
   void bring_into_box(Snapshot &state) const;
   void tally(double kick);
 
-  double position_time() const;
+  uint64_t steps_since_beginning() const { return steps_ - setup_.beginning.step; }
+  double since_beginning() const { return static_cast<double>(steps_since_beginning()) * setup_.time_step; }
   double image_offset() const;
 
-  Setup setup_;  // without its arrays of particles
+  Setup setup_;  // without its arrays of particles and contacts
   std::vector<uint32_t> places_;
   int threads_;
   Bodies<D, Real> bodies_;
@@ -90,7 +93,7 @@ class Simulation final : public Engine {
   size_t pair_count_ = 0;
 
   double fastest_allowed_;  // approach that the time step is short enough for
-  uint64_t steps_ = 0;
+  uint64_t steps_;
   double last_drift_ = 0;  // time between the present forces and those before
   bool forces_known_ = false, radii_new_ = false;
   bool counts_work_ = false;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dem {
 namespace {
@@ -71,7 +72,7 @@ struct Fingerprint {
 
 template <int D, class Real>
 double Simulation<D, Real>::lag() const {
-  return steps_ > 0 ? setup_.scheme.shared_kick * setup_.time_step : 0;
+  return steps_since_beginning() > 0 ? setup_.scheme.shared_kick * setup_.time_step : 0;
 }
 
 template <int D, class Real>
@@ -124,6 +125,20 @@ Snapshot Simulation<D, Real>::snapshot() {
   reorder(state, places_);
   bring_into_box(state);
   return state;
+}
+
+template <int D, class Real>
+Handover Simulation<D, Real>::hand_over() {
+  Snapshot state = snapshot();
+  Handover result;
+  result.beginning.step = steps_;
+  result.beginning.time = state.time;
+  result.beginning.image_offset = state.image_offset;
+  const std::vector<uint32_t> numbers = inverse(places_);
+  result.beginning.pairs = renumbered_pairs(pair_history_.memory_of(pairs_), numbers);
+  result.beginning.walls = renumbered_walls(wall_history_.memory_of(walls()), numbers);
+  result.particles = std::move(state);
+  return result;
 }
 
 template <int D, class Real>
@@ -284,6 +299,7 @@ void Simulation<D, Real>::restore_materials(const Checkpoint &checkpoint) {
 #define DEM_INSTANTIATE(D, Real)                                         \
   template Snapshot Simulation<D, Real>::state_now();                    \
   template Snapshot Simulation<D, Real>::snapshot();                     \
+  template Handover Simulation<D, Real>::hand_over();                    \
   template Measurement Simulation<D, Real>::measure();                   \
   template std::vector<ContactLine> Simulation<D, Real>::contacts();     \
   template void Simulation<D, Real>::count_work();                       \

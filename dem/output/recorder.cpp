@@ -5,7 +5,6 @@
 
 #include "dem/output/network.hpp"
 #include "dem/output/picture.hpp"
-#include "dem/state/checkpoint.hpp"
 #include "particles/error.hpp"
 #include "particles/files/writer.hpp"
 #include "particles/text/formatted.hpp"
@@ -63,8 +62,8 @@ std::vector<TimedFile> files_until(const std::string &list, const std::string &l
 
 }  // namespace
 
-Recorder::Recorder(std::string directory, Asked asked, const dem::Setup &setup, uint64_t done)
-    : directory_(std::move(directory)), asked_(std::move(asked)), setup_(&setup) {
+Recorder::Recorder(std::string directory, Asked asked, uint64_t done)
+    : directory_(std::move(directory)), asked_(std::move(asked)) {
   std::error_code error;
   std::filesystem::create_directories(directory_, error);
   if (error) throw particles::Error(directory_ + ": cannot make this folder: " + error.message());
@@ -76,10 +75,10 @@ Recorder::Recorder(std::string directory, Asked asked, const dem::Setup &setup, 
   if (asked_.contacts) networks_ = files_until(directory_ + "/contacts.pvd", name_of("contacts", done, "vtp"));
 }
 
-void Recorder::picture(uint64_t step, dem::Engine &engine) {
+void Recorder::picture(const dem::Setup &setup, uint64_t step, dem::Engine &engine) {
   dem::Snapshot state = engine.snapshot();
   const double time = state.time;
-  const particles::ParticleSet set = picture_of(*setup_, step, std::move(state));
+  const particles::ParticleSet set = picture_of(setup, step, std::move(state));
   for (const std::string &format : asked_.formats) {
     const std::string name = name_of("state", step, format);
     particles::write_picture(directory_ + "/" + name, *particles::format_of_word(format), set);
@@ -96,12 +95,6 @@ void Recorder::picture(uint64_t step, dem::Engine &engine) {
 void Recorder::measurement(uint64_t step, const dem::Measurement &m) {
   energies_->add(step, energy_row(m, asked_.work));
   if (bulk_) bulk_->add(step, bulk_row(m));
-}
-
-void Recorder::checkpoint(const dem::Engine &engine) {
-  dem::Checkpoint checkpoint;
-  engine.save(checkpoint);
-  checkpoint.write(checkpoint_path());
 }
 
 }  // namespace output

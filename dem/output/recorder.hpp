@@ -29,19 +29,18 @@ class Recorder {
  public:
   // `done`: the step that the run goes on from, 0 for a new one. What an earlier run has entered for later steps, past
   // its last checkpoint, is dropped, since it comes again.
-  Recorder(std::string directory, Asked asked, const dem::Setup &setup, uint64_t done);
+  Recorder(std::string directory, Asked asked, uint64_t done);
 
-  void picture(uint64_t step, dem::Engine &engine);
+  // `setup` gives the box.
+  void picture(const dem::Setup &setup, uint64_t step, dem::Engine &engine);
   // A row of each table.
   void measurement(uint64_t step, const dem::Measurement &measurement);
-  void checkpoint(const dem::Engine &engine);
 
   std::string checkpoint_path() const { return directory_ + "/checkpoint"; }
 
  private:
   std::string directory_;
   Asked asked_;
-  const dem::Setup *setup_;
   std::unique_ptr<CsvTable> energies_, bulk_;
   std::vector<TimedFile> animation_, networks_;
 };

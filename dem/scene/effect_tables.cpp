@@ -67,12 +67,12 @@ void read_effects(const Table &top, dem::Setup &setup) {
   }
 }
 
-void add_shear_profile(dem::Setup &setup) {
+void add_shear_profile(dem::Setup &setup, double former) {
   if (!has(setup.effects, dem::kShear)) return;
   const auto dimension = static_cast<size_t>(setup.dimension);
   const double middle = (setup.box_min[1] + setup.box_max[1]) / 2;
   for (size_t i = 0; i < setup.count(); i++) {
-    setup.velocities[i * dimension] += setup.shear_rate * (setup.centers[i * dimension + 1] - middle);
+    setup.velocities[i * dimension] += (setup.shear_rate - former) * (setup.centers[i * dimension + 1] - middle);
   }
 }
 

@@ -11,7 +11,8 @@ namespace scene {
 // Sets the effects of the setup, all but walls, and their numbers; also the periodic axes.
 void read_effects(const Table &top, dem::Setup &setup);
 
-// Adds u_x = rate (y - middle of the box) to the velocities, if there is shear.
-void add_shear_profile(dem::Setup &setup);
+// Adds u_x = rate (y - middle of the box) to the velocities, if there is shear; less the profile of `former`, the rate
+// that they have already.
+void add_shear_profile(dem::Setup &setup, double former = 0);
 
 }  // namespace scene

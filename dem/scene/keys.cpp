@@ -47,7 +47,7 @@ std::vector<TableDoc> with_effects(std::vector<TableDoc> tables) {
     std::string meaning = std::string("effect: ") + row.meaning;
     if (row.needs != 0) meaning += "; needs " + dem::tables_of(row.needs);
     if (row.excludes != 0) meaning += "; not with " + dem::tables_of(row.excludes);
-    tables.push_back({row.name, std::move(meaning)});
+    tables.push_back({row.name, std::move(meaning), true});
   }
   return tables;
 }
@@ -85,12 +85,15 @@ const std::vector<TableDoc> &all_tables() {
       {"particles.pack", "a packing made on the spot, as by hgrid pack"},
       {"particles.lattice", "a lattice"},
       {"material", "materials, as an array of tables [[material]]; without any all is of the numbers in other tables"},
-      {"pair", "what two materials share, as an array of tables [[pair]]; particles and walls alike"},
-      {"box", "the box; without it that of the pack or file, else none"},
-      {dem::kLinearName, "linear elastic contacts; needed unless there is [hertz]"},
-      {"time", "how far and in what steps"},
+      {"pair", "what two materials share, as an array of tables [[pair]]; particles and walls alike", true},
+      {kStage,
+       "one part of the run after the other, as an array of tables [[stage]]; in [stage.friction] and so on stands "
+       "what differs from the scene, and friction = false takes an effect away"},
+      {"box", "the box; without it that of the pack or file, else none", true},
+      {dem::kLinearName, "linear elastic contacts; needed unless there is [hertz]", true},
+      {"time", "how far and in what steps", true},
       {"run", "how the work is done; none of it changes results, but for precision"},
-      {"output", "what is written"}});
+      {"output", "what is written", true}});
   return tables;
 }
 
@@ -135,12 +138,16 @@ const std::vector<Key> &all_keys() {
        {"material", "name", Kind::kText, kPure, "needed", "for groups of particles, the box and pairs"},
        {"material", "density", Kind::kNumber, kDensity, "that of the groups", "per area in two dimensions (kg/m^2)"},
        {"pair", "materials", Kind::kTexts, kPure, "needed", "the names of two, or twice that of one"},
+       {kStage, "name", Kind::kText, kPure, "its number", "in messages"},
+       {kStage, "duration", Kind::kNumber, kTime, "needed, or steps", "how long the stage lasts"},
+       {kStage, "steps", Kind::kCount, kPure, "by duration", "its number of steps instead"},
+
        {"box", "min", Kind::kVector, kLength, "0", "lower corner"},
        {"box", "max", Kind::kVector, kLength, "needed", "upper corner"},
        {"box", "walls", Kind::kText, kPure, "all axes that are not periodic", "axes with walls at both ends, e.g. xz"},
        {"box", "material", Kind::kText, kPure, "none: walls as [contact] or [hertz] says", "of the walls, its name"},
 
-       {"time", "end", Kind::kNumber, kTime, "needed, or steps", "when the simulation ends"},
+       {"time", "end", Kind::kNumber, kTime, "needed, or steps", "when the simulation ends; with stages these tell"},
        {"time", "steps", Kind::kCount, kPure, "by end", "number of steps instead of end"},
        {"time", "step", Kind::kNumber, kTime, "by steps_per_contact", "the time step"},
        {"time", "steps_per_contact", Kind::kNumber, kPure, "50, or as many as are stable",
@@ -182,7 +189,8 @@ std::vector<std::string> names_in(std::string_view table) {
     const std::string_view name = doc.name;
     if (name.empty()) continue;
     const size_t dot = name.rfind('.');
-    const bool part = dot == std::string_view::npos ? table.empty() : table == name.substr(0, dot);
+    const bool part = dot == std::string_view::npos ? table.empty() || (table == kStage && doc.in_stages)
+                                                    : table == name.substr(0, dot);
     if (part) names.emplace_back(dot == std::string_view::npos ? name : name.substr(dot + 1));
   }
   return names;

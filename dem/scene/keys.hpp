@@ -26,7 +26,10 @@ struct Key {
 struct TableDoc {
   const char *name;
   std::string meaning;
+  bool in_stages = false;  // whether a stage may have one, too
 };
+
+constexpr const char *kStage = "stage";
 
 const std::vector<TableDoc> &all_tables();
 const std::vector<Key> &all_keys();

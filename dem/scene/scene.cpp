@@ -21,10 +21,10 @@ namespace scene {
 namespace {
 
 // The box of the scene, or else that of the first source which has one.
-void read_box(const Table &top, const std::vector<particles::ParticleSet> &sources, dem::Setup &setup) {
+void read_box(const Table &top, const SourceBox &source, dem::Setup &setup) {
   const auto dimension = static_cast<size_t>(setup.dimension);
   const auto box = top.part("box");
-  bool bounded = true;
+  const bool bounded = box || source.is_there;
   if (box) {
     const std::vector<double> low = box->vector("min", dimension, 0), high = box->vector("max", dimension);
     std::copy(low.begin(), low.end(), setup.box_min);
@@ -32,15 +32,10 @@ void read_box(const Table &top, const std::vector<particles::ParticleSet> &sourc
     for (size_t axis = 0; axis < dimension; axis++) {
       if (!(high[axis] > low[axis])) box->fail("max", dem::text(high[axis]) + " is not above " + dem::text(low[axis]));
     }
-  } else {
-    const auto boxed =
-        std::find_if(sources.begin(), sources.end(), [](const particles::ParticleSet &set) { return set.has_box; });
-    bounded = boxed != sources.end();
-    if (bounded) {
-      if (boxed->is_tilted()) top.fail("box", "the box of the particles' file is tilted: give one along the axes");
-      std::copy_n(boxed->box_min, 3, setup.box_min);
-      std::copy_n(boxed->box_max, 3, setup.box_max);
-    }
+  } else if (bounded) {
+    if (source.is_tilted) top.fail("box", "the box of the particles' file is tilted: give one along the axes");
+    std::copy_n(source.min, 3, setup.box_min);
+    std::copy_n(source.max, 3, setup.box_max);
   }
   if (!bounded && has(setup.effects, dem::kPeriodic)) top.fail("periodic", "periodic axes need a [box]");
   if (box && box->has("walls")) {
@@ -72,34 +67,40 @@ uint64_t steps_in(const Table &table, const char *key, double steps) {
   return static_cast<uint64_t>(steps);
 }
 
-void read_time(const Table &top, Scene &scene) {
+void read_time_step(const Table &top, Scene &scene) {
   const auto time = top.part("time");
-  if (!time) top.fail("time", "a scene needs the table [time] with end or steps");
   dem::Setup &setup = scene.setup;
+  std::string scheme = setup.scheme.name;
+  if (time) scheme = time->choice("scheme", {"velocity-verlet", "symplectic-euler", "leapfrog", "forest-ruth"});
   try {
-    setup.scheme =
-        dem::scheme_of_name(time->choice("scheme", {"velocity-verlet", "symplectic-euler", "leapfrog", "forest-ruth"}));
+    setup.scheme = dem::scheme_of_name(scheme);
     scene.shortest_contact = dem::shortest_contact(setup).duration;
   } catch (const dem::Error &error) {
     top.fail("time", error.what());
   }
+  setup.time_step = dem::usual_step(setup);
+  if (!time) return;
   if (time->has("step") && time->has("steps_per_contact")) time->fail("step", "stands instead of steps_per_contact");
-  setup.time_step = time->number("step", dem::usual_step(setup));
+  setup.time_step = time->number("step", setup.time_step);
   if (time->has("steps_per_contact")) {
     const double per_contact = time->number("steps_per_contact");
     if (!(per_contact > 0)) time->fail("steps_per_contact", dem::text(per_contact) + " is not above 0");
     setup.time_step = scene.shortest_contact / per_contact;
   }
-  if (time->has("end") == time->has("steps")) time->fail("end", "give either end or steps");
-  const double end = time->number("end", 0);
-  if (time->has("end") && !(end > 0)) time->fail("end", dem::text(end) + " is not above 0");
   try {
     dem::require_time_step(setup);
   } catch (const dem::Error &error) {
     time->fail("step", error.what());
   }
-  scene.steps = time->has("steps") ? time->count("steps")
-                                   : steps_in(*time, "end", std::ceil(end / setup.time_step * (1 - 1e-12)));
+}
+
+// How many steps the scene or one stage of it takes: its key "steps", or by the time that its key `end` gives.
+uint64_t read_length(const Table &table, const char *end, double time_step) {
+  if (table.has(end) == table.has("steps")) table.fail(end, std::string("give either ") + end + " or steps");
+  if (table.has("steps")) return table.count("steps");
+  const double length = table.number(end);
+  if (!(length > 0)) table.fail(end, dem::text(length) + " is not above 0");
+  return steps_in(table, end, std::ceil(length / time_step * (1 - 1e-12)));
 }
 
 uint64_t steps_of(const Table &output, const char *key, double time_step, uint64_t fallback) {
@@ -109,11 +110,11 @@ uint64_t steps_of(const Table &output, const char *key, double time_step, uint64
   return std::max<uint64_t>(1, steps_in(output, key, std::round(interval / time_step)));
 }
 
-void read_output(const Table &top, const std::string &path, Scene &scene) {
+void read_output(const Table &top, const std::string &path, uint64_t length, Scene &scene) {
   OutputPlan &plan = scene.output;
   plan.directory = std::filesystem::path(path).stem().string() + "-output";
   plan.formats = {"vtp"};
-  plan.energies = std::max<uint64_t>(1, scene.steps / 100);
+  plan.energies = std::max<uint64_t>(1, length / 100);
   const auto output = top.part("output");
   if (!output) return;
   plan.directory = output->text("directory", plan.directory);
@@ -130,34 +131,128 @@ void read_output(const Table &top, const std::string &path, Scene &scene) {
   plan.checkpoints = steps_of(*output, "checkpoint", scene.setup.time_step, 0);
 }
 
+// Keys that hold for the whole run stand in no stage, and those that a stage has itself not beside stages.
+void check_stages(const Table &top, const std::vector<Table> &stages) {
+  if (stages.empty()) return;
+  const auto refuse = [](const Table &table, const char *part, const char *key, const char *why) {
+    const auto inner = table.part(part);
+    if (inner && inner->has(key)) inner->fail(key, why);
+  };
+  refuse(top, "time", "end", "each [[stage]] has a duration of its own");
+  refuse(top, "time", "steps", "each [[stage]] has steps of its own");
+  for (const Table &stage : stages) {
+    refuse(stage, "time", "end", "a [[stage]] has a duration instead");
+    refuse(stage, "time", "steps", "stands in the [[stage]] itself");
+    refuse(stage, "output", "directory", "is one for all stages");
+    for (const char *key : {"formats", "work", "bulk", "contacts"}) {
+      refuse(stage, "output", key, "is the same for all stages");
+    }
+  }
+}
+
+// Particles rotate only with friction.
+void fit_spins(dem::Setup &setup) {
+  const size_t size = setup.count() * (setup.dimension == 3 ? 3 : 1);
+  setup.spins.resize(has(setup.effects, dem::kFriction) ? size : 0);
+}
+
 }  // namespace
 
-Scene read_scene(const std::string &path, const std::vector<Setting> &settings) {
-  const SceneFile file(path, settings);
-  const Table top = file.top();
+StagedScene::StagedScene(const std::string &path, const std::vector<Setting> &settings)
+    : file_(path, settings), top_(file_.top()), stages_(top_.parts(kStage)) {
+  const uint64_t dimension = top_.count("dimension", 3);
+  if (dimension != 2 && dimension != 3) top_.fail("dimension", "is 2 or 3, not " + std::to_string(dimension));
+  dimension_ = static_cast<int>(dimension);
+  if (stages_.empty() && !top_.has("time")) {
+    top_.fail("time", "a scene needs the table [time] with end or steps, or [[stage]]");
+  }
+  check_stages(top_, stages_);
+  read_particles();
+  for (size_t number = 0; number < stages_.size(); number++) read_stage(number, {particles_, {}});
+}
+
+// Made with the effects of the first stage.
+void StagedScene::read_particles() {
+  dem::Setup setup;
+  setup.dimension = dimension_;
+  read_effects(top_of(0), setup);
+  read_materials(top_of(0), setup);
+  const std::vector<Table> groups = top_.parts("particles");
+  if (groups.empty()) top_.fail("particles", "a scene needs at least one table [[particles]]");
+  refuse_silent_units(top_);
+  const std::string folder = std::filesystem::path(file_.path()).parent_path().string();
+  for (const Table &group : groups) {
+    const particles::ParticleSet source = add_particles(group, folder, setup);
+    unused_.insert(unused_.end(), source.unused.begin(), source.unused.end());
+    if (!source.has_box || source_box_.is_there) continue;
+    source_box_.is_there = true;
+    source_box_.is_tilted = source.is_tilted();
+    std::copy_n(source.box_min, 3, source_box_.min);
+    std::copy_n(source.box_max, 3, source_box_.max);
+  }
+  particles_ = setup;
+}
+
+Scene StagedScene::read_stage(size_t number, const dem::Handover &start) const {
+  const Table top = top_of(number);
   Scene scene;
-  scene.title = top.text("title", "");
-  const uint64_t dimension = top.count("dimension", 3);
-  if (dimension != 2 && dimension != 3) top.fail("dimension", "is 2 or 3, not " + std::to_string(dimension));
-  scene.setup.dimension = static_cast<int>(dimension);
-  read_effects(top, scene.setup);
-  read_materials(top, scene.setup);
-  const std::vector<Table> groups = top.parts("particles");
-  if (groups.empty()) top.fail("particles", "a scene needs at least one table [[particles]]");
-  refuse_silent_units(top);
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  std::vector<particles::ParticleSet> sources;
-  sources.reserve(groups.size());
-  for (const Table &group : groups) sources.push_back(add_particles(group, folder, scene.setup));
-  for (const particles::ParticleSet &source : sources)
-    scene.unused.insert(scene.unused.end(), source.unused.begin(), source.unused.end());
-  read_box(top, sources, scene.setup);
-  settle_materials(top, scene.setup);
-  add_shear_profile(scene.setup);
+  scene.title = top_.text("title", "");
+  scene.stage = number;
+  scene.unused = unused_;
+  dem::Setup &setup = scene.setup, former;
+  setup.dimension = former.dimension = dimension_;
+  static_cast<dem::ParticleArrays &>(setup) = start.particles;
+  setup.beginning = start.beginning;
+  read_effects(top, setup);
+  read_materials(top, setup);
+  fit_spins(setup);
+  read_box(top, source_box_, setup);
+  scene.material_ids = setup.material_ids;
+  settle_materials(top, setup);
+  if (number > 0) read_effects(top_of(number - 1), former);
+  if (has(former.effects, dem::kShear) && !has(setup.effects, dem::kShear)) {
+    stages_[number].fail("shear", "the images stay where shear has moved them: instead of false give a rate of 0");
+  }
+  add_shear_profile(setup, former.shear_rate);
   read_run(top, scene);
-  read_time(top, scene);
-  read_output(top, path, scene);
+  read_time_step(top, scene);
+  uint64_t length = 0;
+  if (stages_.empty()) {
+    length = read_length(*top_.part("time"), "end", setup.time_step);
+  } else {
+    scene.stage_name = stages_[number].text("name", std::to_string(number + 1));
+    length = read_length(stages_[number], "duration", setup.time_step);
+  }
+  scene.steps = start.beginning.step + length;
+  read_output(top, file_.path(), length, scene);
   return scene;
+}
+
+Scene StagedScene::at(size_t number, const dem::Handover &start) const {
+  if (number >= count()) throw dem::Error(file_.path() + ": there is no stage " + std::to_string(number + 1));
+  Scene scene = read_stage(number, start);
+  scene.start = start;
+  return scene;
+}
+
+Scene StagedScene::after(const Scene &before, dem::Handover left) const {
+  left.particles.material_ids = before.material_ids;
+  return at(before.stage + 1, left);
+}
+
+void save(const Scene &scene, const dem::Engine &engine, dem::Checkpoint &checkpoint) {
+  engine.save(checkpoint);
+  checkpoint.put_value("stage", static_cast<uint64_t>(scene.stage));
+  if (scene.stage > 0) save_handover(scene.start, checkpoint);
+}
+
+Scene stage_of(const StagedScene &stages, const dem::Checkpoint &checkpoint) {
+  const auto number = checkpoint.get_value<uint64_t>("stage");
+  return number == 0 ? stages.first() : stages.at(static_cast<size_t>(number), restore_handover(checkpoint));
+}
+
+Scene read_scene(const std::string &path, const std::vector<Setting> &settings) {
+  return StagedScene(path, settings).first();
 }
 
 }  // namespace scene

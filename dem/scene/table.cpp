@@ -50,6 +50,20 @@ Table::Table(const std::string &file, std::string name, const toml::table &table
   }
 }
 
+Table Table::under(const Table &stage) const {
+  Table result = *this;
+  result.over_ = stage.table_;
+  return result;
+}
+
+const toml::node *Table::find(const char *key) const {
+  if (const toml::node *node = over_ != nullptr ? over_->get(key) : nullptr) {
+    const bool taken_away = node->is_boolean() && !*node->value<bool>();
+    return taken_away ? nullptr : node;
+  }
+  return table_->get(key);
+}
+
 bool Table::has(const char *key) const { return find(key) != nullptr; }
 
 std::string Table::full_name(const char *key) const { return (name_.empty() ? "" : name_ + ".") + key; }
@@ -202,7 +216,13 @@ std::optional<Table> Table::part(const char *name) const {
   if (node == nullptr) return std::nullopt;
   const toml::table *table = node->as_table();
   if (table == nullptr) fail_at(*node, full_name(name) + " is " + kind_name(*node) + " where a table is wanted");
-  return Table(*file_, full_name(name), *table);
+  // What stands in a stage is as at the top of the file.
+  const std::string place = name_ == kStage ? name : full_name(name);
+  const Table result(*file_, place, *table);
+  // Of two tables the stage's lies over the scene's.
+  const toml::node *below = over_ != nullptr ? table_->get(name) : nullptr;
+  if (below == nullptr || below == node || !below->is_table()) return result;
+  return Table(*file_, place, *below->as_table()).under(result);
 }
 
 std::vector<Table> Table::parts(const char *name) const {

@@ -21,6 +21,9 @@ class Table {
  public:
   Table(const std::string &file, std::string name, const toml::table &table);
 
+  // This table where `stage` says nothing: its keys come first, and one that is false takes away what stands here.
+  Table under(const Table &stage) const;
+
   bool has(const char *key) const;
 
   // Without a fallback the key is needed.
@@ -50,7 +53,7 @@ class Table {
   [[noreturn]] void fail(const char *key, const std::string &message) const;
 
  private:
-  const toml::node *find(const char *key) const { return table_->get(key); }
+  const toml::node *find(const char *key) const;
   const toml::node &need(const char *key) const;
   [[noreturn]] void fail_at(const toml::node &node, const std::string &message) const;
   double measure(const toml::node &node, const char *key, Unit unit) const;
@@ -61,6 +64,7 @@ class Table {
   const std::string *file_;
   std::string name_;
   const toml::table *table_;
+  const toml::table *over_ = nullptr;  // of a stage
 };
 
 // A parsed file.

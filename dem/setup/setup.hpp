@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dem/effects/effects.hpp"
+#include "dem/setup/beginning.hpp"
 #include "dem/setup/scheme.hpp"
 
 #include <cstddef>
@@ -31,6 +32,7 @@ struct Setup : Physics, ParticleArrays {
   int threads = 1;      // 0: all that the machine offers. Results do not depend on it
   int level_count = 0;  // levels of the library's grid at most, 0: as many as are best. Changes the time only
   double skin = 0;      // of the library's stored candidates: changes the time, not the results
+  Beginning beginning;
 };
 
 // Throws Error naming what cannot be and its value; the time step is looked at by time_step.hpp.

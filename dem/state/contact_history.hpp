@@ -52,6 +52,32 @@ class ContactHistory {
  public:
   explicit ContactHistory(EffectSet effects) : effects_(effects & effects_with_history()) {}
 
+  // What contacts remember when the simulation begins; of an effect that nothing is known of, nothing.
+  void begin(const ContactMemory &memory) {
+    unpacked_ = false;
+    if (effects_ == 0) return;
+    packed_.pairs = memory.pairs;
+    for (const EffectRow &row : kEffects) {
+      if (row.history == nullptr || !has(effects_, row.effect)) continue;
+      const std::vector<double> &known = memory.rows[history_of(row.effect)];
+      auto &rows = packed_.rows[history_of(row.effect)];
+      rows.assign(packed_.pairs.size(), Vec<D, Real>::Zero());
+      for (size_t p = 0; p < rows.size() && !known.empty(); p++) {
+        rows[p] = vector_at<Vec<D, double>>(known, p).template cast<Real>();
+      }
+    }
+  }
+
+  ContactMemory memory_of(PairView list) const {
+    const ContactRows<D, Real> known = contacts_of(list);
+    ContactMemory memory;
+    memory.pairs = known.pairs;
+    for (size_t k = 0; k < kHistoryCount; k++) {
+      for (const auto &row : known.rows[k]) memory.rows[k].insert(memory.rows[k].end(), row.data(), row.data() + D);
+    }
+    return memory;
+  }
+
   // Before `list` ends. Once packed it stays so, until there is a new list.
   void pack(PairView list) {
     if (!unpacked_) return;

@@ -67,6 +67,39 @@ last=$(basename "$(ls whole/state-*.xyz | tail -1)")
 cmp "whole/$last" "part/$last" || fail "the restarted run ended elsewhere"
 cmp <(tail -1 whole/energy.csv) <(tail -1 part/energy.csv) || fail "the restarted run has another energy"
 
+# In stages: stopped within each and where they meet, and restarted.
+sed '/^\[time\]/,/^steps/d' busy.toml >staged.toml
+cat >>staged.toml <<'TOML'
+[[stage]]
+name = "fall"
+steps = 100
+[[stage]]
+name = "slide"
+steps = 120
+[stage.gravity]
+acceleration = [1, 0, -1]
+[stage.friction]
+coefficient = 0.6
+[[stage]]
+steps = 80
+friction = false
+[stage.dissipation]
+restitution = 0.3
+[stage.output]
+energy = 0.01
+TOML
+"$hgrid" run staged.toml --quiet --output stages >out.txt
+grep -q '^stage 2: slide, from step 100 on' out.txt || fail "stages are not told: $(cat out.txt)"
+last=$(basename "$(ls stages/state-*.xyz | tail -1)")
+[[ $last == state-000000000300.xyz ]] || fail "the stages end with $last"
+for stop in 50 100 101 200 220 290; do
+  rm -rf part
+  "$hgrid" run staged.toml --quiet --steps "$stop" --output part >/dev/null
+  "$hgrid" run staged.toml --quiet --threads 2 --restart part/checkpoint --output part >/dev/null
+  cmp "stages/$last" "part/$last" || fail "stages, restarted at step $stop: ended elsewhere"
+  cmp <(tail -1 stages/energy.csv) <(tail -1 part/energy.csv) || fail "stages, restarted at step $stop: other energy"
+done
+
 # Ctrl-C in the middle: a checkpoint and whole files; going on from it leaves the folder of an undisturbed run.
 "$hgrid" run busy.toml --quiet --steps 1000000000 --output stopped >/dev/null 2>err.txt &
 running=$!

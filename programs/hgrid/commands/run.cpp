@@ -26,6 +26,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace command {
@@ -123,7 +124,7 @@ class Run {
       record();
     }
     line_.wipe();
-    if (interrupt_.requested()) recorder_.checkpoint(engine_);
+    if (interrupt_.requested()) save();
   }
 
   const RunLine &line() const { return line_; }
@@ -138,7 +139,8 @@ class Run {
 
   void record() {
     const uint64_t step = engine_.steps_done();
-    const bool again = step == first_ && step > 0;  // goes on from a checkpoint: what was due there is written
+    // Goes on from a checkpoint or another stage: what was due there is written.
+    const bool again = step == first_ && step > 0;
     const bool row = is_time(scene_.output.energies) && !again, shows = !options_.quiet && line_.is_due();
     if (row || shows || again) {
       // Measuring does a part of the next step's work, so it counts as work.
@@ -152,8 +154,14 @@ class Run {
       if (shows) line_.show(step, m);
     }
     if (again) return;
-    if (is_time(scene_.output.pictures)) recorder_.picture(step, engine_);
-    if (is_time(scene_.output.checkpoints)) recorder_.checkpoint(engine_);
+    if (is_time(scene_.output.pictures)) recorder_.picture(scene_.setup, step, engine_);
+    if (is_time(scene_.output.checkpoints)) save();
+  }
+
+  void save() {
+    dem::Checkpoint checkpoint;
+    scene::save(scene_, engine_, checkpoint);
+    checkpoint.write(recorder_.checkpoint_path());
   }
 
   void look(uint64_t step, const dem::Measurement &m) {
@@ -179,10 +187,14 @@ void print_scene(const scene::Scene &scene, const std::string &path) {
   const dem::Setup &setup = scene.setup;
   const auto [smallest, largest] = std::minmax_element(setup.radii.begin(), setup.radii.end());
   std::printf("%s: %s\n", path.c_str(), scene.title.c_str());
+  if (!scene.stage_name.empty())
+    std::printf("stage %zu: %s, from step %llu on\n", scene.stage + 1, scene.stage_name.c_str(),
+                static_cast<unsigned long long>(setup.beginning.step));
   std::printf("%zu %s, radii %.6g to %.6g; effects: %s\n", setup.count(), setup.dimension == 2 ? "discs" : "spheres",
               *smallest, *largest, dem::names_of(setup.effects).c_str());
   std::printf("shortest contact %.6g, %llu steps of %.6g (%s), skin %.6g\n", scene.shortest_contact,
-              static_cast<unsigned long long>(scene.steps), setup.time_step, setup.scheme.name.c_str(), setup.skin);
+              static_cast<unsigned long long>(scene.steps - setup.beginning.step), setup.time_step,
+              setup.scheme.name.c_str(), setup.skin);
 }
 
 void print_summary(dem::Engine &engine, const Run &run, size_t particles) {
@@ -211,35 +223,57 @@ struct Outcome {
   bool has_warned = false;
 };
 
-// `folder`: inside that of the output, "" for that itself.
-Outcome run_scene(const RunOptions &options, const Settings &settings, const std::string &folder) {
-  scene::Scene scene = scene::read_scene(options.scene, settings);
+// A stage as the command line wants it; `folder`: inside that of the output, "" for that itself.
+scene::Scene with_options(scene::Scene scene, const RunOptions &options, bool is_last, const std::string &folder) {
   if (options.threads) scene.setup.threads = *options.threads;
   if (options.skin) scene.setup.skin = *options.skin;
-  if (options.steps) scene.steps = *options.steps;
+  if (options.steps) scene.steps = is_last ? *options.steps : std::min(scene.steps, *options.steps);
   if (!options.directory.empty()) scene.output.directory = options.directory;
   if (!folder.empty()) scene.output.directory += "/" + folder;
-  const std::unique_ptr<dem::Engine> engine = dem::make_engine(scene.setup, scene.precision);
-  const scene::OutputPlan &plan = scene.output;
-  if (plan.work) engine->count_work();
-  if (!options.restart.empty()) engine->restore(dem::Checkpoint::read(options.restart));
-  if (options.restart.empty()) output::require_no_earlier_run(scene.output.directory, options.overwrite);
+  return scene;
+}
+
+std::unique_ptr<dem::Engine> engine_of(const scene::Scene &scene) {
+  std::unique_ptr<dem::Engine> engine = dem::make_engine(scene.setup, scene.precision);
+  if (scene.output.work) engine->count_work();
+  return engine;
+}
+
+Outcome run_scene(const RunOptions &options, const Settings &settings, const std::string &folder) {
+  const scene::StagedScene stages(options.scene, settings);
+  const auto prepared = [&](scene::Scene scene) {
+    const bool is_last = scene.stage + 1 == stages.count();
+    return with_options(std::move(scene), options, is_last, folder);
+  };
+  std::optional<dem::Checkpoint> checkpoint;
+  if (!options.restart.empty()) checkpoint = dem::Checkpoint::read(options.restart);
+  scene::Scene scene = prepared(checkpoint ? scene::stage_of(stages, *checkpoint) : stages.first());
+  std::unique_ptr<dem::Engine> engine = engine_of(scene);
+  if (checkpoint) engine->restore(*checkpoint);
+  if (!checkpoint) output::require_no_earlier_run(scene.output.directory, options.overwrite);
   if (!scene.unused.empty())
     std::fprintf(stderr, "hgrid: %s: note: of its particle files these columns are not used: %s\n",
                  options.scene.c_str(), particles::joined(scene.unused).c_str());
-  print_scene(scene, options.scene);
-  std::fflush(stdout);
-  output::Recorder recorder(plan.directory, {plan.formats, plan.work, plan.bulk, plan.contacts}, scene.setup,
-                            engine->steps_done());
+  const scene::OutputPlan plan = scene.output;
+  output::Recorder recorder(plan.directory, {plan.formats, plan.work, plan.bulk, plan.contacts}, engine->steps_done());
   const Interrupt interrupt;
-  Run run(scene, *engine, recorder, interrupt, options);
-  run.go();
-  print_summary(*engine, run, scene.setup.count());
-  if (interrupt.requested()) {
-    throw particles::Error("interrupted at step " + std::to_string(engine->steps_done()) + "; go on with hgrid run " +
-                           options.scene + " --restart " + recorder.checkpoint_path());
+  for (;;) {
+    print_scene(scene, options.scene);
+    std::fflush(stdout);
+    Run run(scene, *engine, recorder, interrupt, options);
+    run.go();
+    print_summary(*engine, run, scene.setup.count());
+    if (interrupt.requested()) {
+      throw particles::Error("interrupted at step " + std::to_string(engine->steps_done()) + "; go on with hgrid run " +
+                             options.scene + " --restart " + recorder.checkpoint_path());
+    }
+    const bool stops_here = options.steps && engine->steps_done() >= *options.steps;
+    if (scene.stage + 1 == stages.count() || stops_here) {
+      return {engine->measure(), run.line().ns_per_particle_step(), run.watch().has_warned()};
+    }
+    scene = prepared(stages.after(scene, engine->hand_over()));
+    engine = engine_of(scene);
   }
-  return {engine->measure(), run.line().ns_per_particle_step(), run.watch().has_warned()};
 }
 
 using Table = std::vector<std::vector<std::string>>;

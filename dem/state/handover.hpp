@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// What a simulation leaves to the next one, which may have other effects, walls and parameters.
+#pragma once
+
+#include "dem/setup/setup.hpp"
+#include "dem/state/checkpoint.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace dem {
+
+// The state at the time of a step, particles in the order they were given in.
+struct Handover {
+  ParticleArrays particles;
+  Beginning beginning;
+};
+
+// The same contacts where particle i is called numbers[i]; of pairs both are, of walls the particle alone.
+ContactMemory renumbered_pairs(const ContactMemory &memory, const std::vector<uint32_t> &numbers);
+ContactMemory renumbered_walls(const ContactMemory &memory, const std::vector<uint32_t> &numbers);
+
+// Beside what a simulation itself has saved.
+void save_handover(const Handover &handover, Checkpoint &checkpoint);
+Handover restore_handover(const Checkpoint &checkpoint);
+
+}  // namespace dem

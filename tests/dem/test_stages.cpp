@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Stages of a scene: what they take over, what they change, what is refused.
+#include "dem/scene/scene.hpp"
+#include "tests/dem/gas.hpp"
+#include "tests/support/frame.h"
+#include "tests/support/refusal.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace {
+
+constexpr uint64_t kSeed = 3;
+
+// A ball that falls and rolls, far from anything.
+const std::string kBall =
+    "[[particles]]\nat = [[0, 0, 0]]\nradius = 1\nvelocity = [1, 0, 0]\n[contact]\nstiffness = 1e4\n";
+
+std::string write_file(const std::string &text) {
+  std::string path =
+      (std::filesystem::temp_directory_path() / ("hgrid-test-stages-" + std::to_string(getpid()) + ".toml")).string();
+  std::ofstream(path) << text;
+  return path;
+}
+
+// All stages one after the other; what is left at the end of each.
+std::vector<dem::Handover> ends_of_stages(const std::string &text, std::vector<dem::EffectSet> *effects = nullptr) {
+  const std::string path = write_file(text);
+  const scene::StagedScene stages(path);
+  std::filesystem::remove(path);  // it has been read
+  std::vector<dem::Handover> ends;
+  scene::Scene last;
+  for (size_t k = 0; k < stages.count(); k++) {
+    const scene::Scene scene = k == 0 ? stages.first() : stages.after(last, ends.back());
+    const auto engine = dem::make_engine(scene.setup, scene.precision);
+    engine->run(scene.steps - engine->steps_done());
+    ends.push_back(engine->hand_over());
+    last = scene;
+    if (effects != nullptr) effects->push_back(scene.setup.effects);
+  }
+  return ends;
+}
+
+std::string error_of(const std::string &text) {
+  const std::string path = write_file(text);
+  std::string what = test::error_of([&] { scene::StagedScene stages(path); });
+  if (what.compare(0, path.size(), path) == 0) what.erase(0, path.size());
+  std::filesystem::remove(path);
+  return what;
+}
+
+bool near(double value, double expected) {
+  const bool good = std::fabs(value - expected) < 1e-9 * std::max(1.0, std::fabs(expected));
+  if (!good) std::printf("%.17g where %.17g is expected\n", value, expected);
+  return good;
+}
+
+// Falls for a time T, flies on without weight for 2 T, rises under the opposite weight for T.
+bool falls_and_flies_on() {
+  std::vector<dem::EffectSet> effects;
+  const std::vector<dem::Handover> ends =
+      ends_of_stages(kBall +
+                         "[gravity]\nacceleration = [0, 0, -2]\n[time]\nstep = 0.00390625\n"
+                         "[[stage]]\nname = \"fall\"\nduration = 0.5\n"
+                         "[[stage]]\nname = \"fly\"\nsteps = 256\ngravity = false\n"
+                         "[[stage]]\nname = \"rise\"\nduration = 0.5\n[stage.gravity]\nacceleration = [0, 0, 2]\n"
+                         "[stage.time]\nstep = 0.001953125\n",
+                     &effects);
+  const double T = 0.5, fall = -2 * T * T / 2, speed = -2 * T;
+  const auto &x = [&](size_t k) { return ends[k].particles.centers; };
+  const auto &v = [&](size_t k) { return ends[k].particles.velocities; };
+  return effects == std::vector<dem::EffectSet>{dem::kGravity, 0, dem::kGravity} &&  //
+         near(x(0)[2], fall) && near(v(0)[2], speed) && near(x(0)[0], T) &&          //
+         near(x(1)[2], fall + 2 * T * speed) && near(v(1)[2], speed) &&              //
+         near(x(2)[2], 2 * fall + 2 * T * speed) && near(v(2)[2], 0) &&              //
+         near(ends[2].beginning.time, 4 * T) && ends[2].beginning.step == 128 + 256 + 256;
+}
+
+void each_stage_has_effects_and_steps_of_its_own(void **) { assert_true(falls_and_flies_on()); }
+
+// A stage says what differs, key by key.
+bool keys_lie_over_those_of_the_scene() {
+  const std::string path =
+      write_file(kBall +
+                 "[friction]\ncoefficient = 0.5\nstiffness = 0.25\n"
+                 "[[stage]]\nsteps = 1\n[[stage]]\nsteps = 1\n[stage.friction]\ncoefficient = 0.1\n"
+                 "[stage.contact]\nstiffness = false\nmodulus = 1e4\n");
+  const scene::StagedScene stages(path);
+  std::filesystem::remove(path);
+  const dem::Setup before = stages.first().setup, after = stages.at(1, {stages.first().setup, {}}).setup;
+  return before.contact.friction == 0.5 && after.contact.friction == 0.1 &&
+         after.contact.tangential_stiffness == 0.25 && after.effects == (before.effects | dem::kModulus);
+}
+
+void a_stage_says_only_what_differs(void **) { assert_true(keys_lie_over_those_of_the_scene()); }
+
+// A dense gas with everything that contacts remember. Without dashpots, since these take velocities half a step old,
+// but at the beginning those of the time.
+dem::Setup rough_setup(int dimension) {
+  bodies::Gas gas;
+  gas.dimension = dimension;
+  gas.edge = dimension == 3 ? 6 : 16;
+  gas.spacing = 1.98;
+  gas.temperature = 4;
+  gas.effects = dem::kFriction | dem::kRolling;
+  dem::Setup setup = bodies::make_gas(gas, kSeed);
+  setup.contact.friction = 0.4;
+  setup.contact.rolling_friction = 0.1;
+  for (int axis = 0; axis < dimension; axis++) {
+    bodies::set_walls(setup, axis, setup.box_min[axis], setup.box_max[axis]);
+  }
+  bodies::set_steps_per_contact(setup, 50);
+  return setup;
+}
+
+dem::Setup taking_over(dem::Setup setup, const dem::Handover &handover) {
+  static_cast<dem::ParticleArrays &>(setup) = handover.particles;
+  setup.beginning = handover.beginning;
+  return setup;
+}
+
+double largest_difference(const dem::Snapshot &a, const dem::Snapshot &b) {
+  double largest = 0;
+  for (const auto &[x, y] :
+       {std::pair(&a.centers, &b.centers), std::pair(&a.velocities, &b.velocities), std::pair(&a.spins, &b.spins)}) {
+    for (size_t k = 0; k < x->size(); k++) largest = std::max(largest, std::fabs((*x)[k] - (*y)[k]));
+  }
+  return largest;
+}
+
+struct Seam {
+  double with_memory = 0, without = 0;
+  size_t springs = 0;
+};
+
+// A stage that changes nothing against none at all: only rounding may differ. Particles are sorted anew in between, so
+// pairs change their order; without what contacts remember the states differ.
+Seam seam(const dem::Setup &setup) {
+  const auto whole = dem::make_engine(setup), first = dem::make_engine(setup);
+  whole->run(200);
+  first->run(160);
+  dem::Handover handover = first->hand_over();
+  Seam result;
+  result.springs = handover.beginning.pairs.pairs.size();
+  const auto second = dem::make_engine(taking_over(setup, handover));
+  second->run(40);
+  result.with_memory = largest_difference(whole->snapshot(), second->snapshot());
+  handover.beginning.pairs = handover.beginning.walls = {};
+  const auto forgetful = dem::make_engine(taking_over(setup, handover));
+  forgetful->run(40);
+  result.without = largest_difference(whole->snapshot(), forgetful->snapshot());
+  std::printf("seam: %.3g with the springs of %zu contacts, %.3g without\n", result.with_memory, result.springs,
+              result.without);
+  return result;
+}
+
+void a_stage_that_changes_nothing_leaves_no_seam(void **) {
+  for (const int dimension : {2, 3}) {
+    const Seam result = seam(rough_setup(dimension));
+    assert_true(result.springs > 20);
+    assert_true(result.with_memory < 1e-10);
+    assert_true(result.without > 1e-5);
+  }
+}
+
+double seam_of_shear() {
+  bodies::Gas gas;
+  gas.edge = 5;
+  gas.spacing = 2.02;
+  gas.effects = dem::kShear;
+  dem::Setup setup = bodies::make_gas(gas, kSeed);
+  bodies::make_periodic(setup);
+  setup.shear_rate = 1.5;
+  bodies::set_steps_per_contact(setup, 50);
+  return seam(setup).with_memory;
+}
+
+void images_stay_where_shear_has_moved_them(void **) { assert_true(seam_of_shear() < 1e-10); }
+
+void faults_of_stages_are_named(void **) {
+  const std::string two = kBall + "[[stage]]\nsteps = 1\n[[stage]]\nsteps = 1\n";
+  const auto refused = [&](const std::string &text, const char *start) {
+    const std::string what = error_of(text);
+    const bool fits = what.compare(0, std::string(start).size(), start) == 0;
+    if (!fits) std::printf("refused with: %s\n", what.c_str());
+    return fits;
+  };
+  assert_string_equal(error_of(two).c_str(), "");
+  assert_true(
+      refused(two + "[stage.frictoin]\ncoefficient = 1\n", ":11: 'frictoin' is no key of [stage]: did you mean"));
+  assert_true(refused(two + "[stage.friction]\ncoefficient = -1\n", ":12: friction.coefficient: lies at 0 or above"));
+  assert_true(refused(two + "[stage.friction]\n", ":11: [friction] needs the key 'coefficient'"));
+  assert_true(refused(two + "contact = false\n", ":1: contact: a scene needs [contact] or [hertz]"));
+  assert_true(refused(two + "[stage.time]\nsteps = 1\n", ":12: time.steps: stands in the [[stage]] itself"));
+  assert_true(refused(two + "[stage.output]\ndirectory = \"a\"\n", ":12: output.directory: is one for all stages"));
+  assert_true(refused(two + "[time]\nend = 1\n", ":12: time.end: each [[stage]] has a duration of its own"));
+  assert_true(refused(kBall + "[[stage]]\nname = \"a\"\n", ":7: stage.duration: give either duration or steps"));
+  assert_true(refused(kBall + "[box]\nmax = [9, 9, 9]\n[periodic]\naxes = \"xyz\"\n[shear]\nrate = 1\n[[stage]]\n"
+                              "steps = 1\n[[stage]]\nsteps = 1\nshear = false\n",
+                      ":17: stage.shear: the images stay where shear has moved them"));
+}
+
+}  // namespace
+
+int main() {
+  const CMUnitTest tests[] = {
+      cmocka_unit_test(each_stage_has_effects_and_steps_of_its_own),
+      cmocka_unit_test(a_stage_says_only_what_differs),
+      cmocka_unit_test(a_stage_that_changes_nothing_leaves_no_seam),
+      cmocka_unit_test(images_stay_where_shear_has_moved_them),
+      cmocka_unit_test(faults_of_stages_are_named),
+  };
+  return cmocka_run_group_tests_name("stages", tests, nullptr, nullptr);
+}
