@@ -24,10 +24,11 @@ enum Effect : unsigned {
   kShear = 1u << 6,        // Lees-Edwards: the images along y move along x
   kWalls = 1u << 7,        // at least one axis ends in walls
   kGravity = 1u << 8,
-  kDrag = 1u << 9,       // Stokes drag of a fluid at rest
-  kGrowth = 1u << 10,    // radii grow with time
-  kModulus = 1u << 11,   // linear springs whose stiffness follows from a modulus and the sizes
-  kMaterials = 1u << 12  // particles and walls of several materials
+  kDrag = 1u << 9,        // Stokes drag of a fluid at rest
+  kGrowth = 1u << 10,     // radii grow with time
+  kModulus = 1u << 11,    // linear springs whose stiffness follows from a modulus and the sizes
+  kMaterials = 1u << 12,  // particles and walls of several materials
+  kSurfaces = 1u << 13    // walls beside those of the box
 };
 using EffectSet = unsigned;
 

@@ -84,6 +84,7 @@ constexpr EffectRow kEffects[] = {
      nullptr, kPeriodic, 0, "it moves the images", fault_of_shear},
     {kWalls, "walls", nullptr, kInFloat},
     {kMaterials, "materials", nullptr, kInContacts},
+    {kSurfaces, "surfaces", nullptr, kStateful},
 };
 
 // In place of an effect: the linear contacts of one stiffness of a scene without other ones.

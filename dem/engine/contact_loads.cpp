@@ -142,6 +142,31 @@ void add_walls(const Setup &setup, const Boundary<D, double> &boundary, const Sn
   }
 }
 
+template <int D>
+void add_surfaces(const Setup &setup, const Snapshot &state, const SurfaceState<D> &contacts,
+                  std::vector<ContactLoad<D>> &loads) {
+  const LawTable<double> laws(setup, Partner::kWall);
+  const Forces<D> forces(setup);
+  for (size_t p = 0; p < contacts.list.size(); p++) {
+    const auto i = static_cast<size_t>(contacts.list[p].a);
+    const NearestPoint<D> &nearest = contacts.touches[p].nearest;
+    const double radius = state.radii[i];
+    ContactLoad<D> load;
+    load.a = i;
+    load.b = ContactLoad<D>::kWall;
+    load.normal = nearest.normal;
+    load.overlap = radius - nearest.distance;
+    load.arm_a = nearest.distance;
+    load.arm_b = load.image_speed = 0;
+    load.reduced_radius = load.smaller_radius = radius;
+    load.wall_velocity = contacts.velocities[p];
+    load.wall_spin = contacts.spins[p];
+    const NormalContact<double> contact{load.overlap, 0, 1 / state.masses[i], 1 / radius, 1 / radius};
+    forces.set(laws.at(material_of(state, i), contacts.materials[p]), contact, state, contacts, p, load);
+    loads.push_back(load);
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -149,9 +174,9 @@ SurfaceMotion<D> surface_motion(const Snapshot &state, const ContactLoad<D> &loa
   SurfaceMotion<D> motion;
   const bool wall = load.b == ContactLoad<D>::kWall;
   const Spin<D, double> spin = spin_of<D>(state, load.a);
-  const Spin<D, double> other = wall ? Spin<D, double>(Spin<D, double>::Zero()) : spin_of<D>(state, load.b);
+  const Spin<D, double> other = wall ? load.wall_spin : spin_of<D>(state, load.b);
   motion.velocity = vector_at<Vector<D>>(state.velocities, load.a);
-  if (!wall) motion.velocity -= vector_at<Vector<D>>(state.velocities, load.b);
+  motion.velocity -= wall ? load.wall_velocity : Vector<D>(vector_at<Vector<D>>(state.velocities, load.b));
   motion.velocity[0] -= load.image_speed;
   const Spin<D, double> turning = load.arm_a * spin + load.arm_b * other, difference = spin - other;
   motion.slip = motion.velocity + turn<D, double>(turning, load.normal);
@@ -162,17 +187,19 @@ SurfaceMotion<D> surface_motion(const Snapshot &state, const ContactLoad<D> &loa
 template <int D>
 std::vector<ContactLoad<D>> contact_loads(const Setup &setup, const Boundary<D, double> &boundary,
                                           const Snapshot &state, const ContactState<D> &pairs,
-                                          const ContactState<D> &walls) {
+                                          const ContactState<D> &walls, const SurfaceState<D> &surfaces) {
   std::vector<ContactLoad<D>> loads;
   add_pairs(setup, boundary, state, pairs, loads);
   add_walls(setup, boundary, state, walls, loads);
+  if (!surfaces.list.empty()) add_surfaces(setup, state, surfaces, loads);
   return loads;
 }
 
 #define DEM_INSTANTIATE(D)                                                                                         \
   template SurfaceMotion<D> surface_motion(const Snapshot &, const ContactLoad<D> &);                              \
   template std::vector<ContactLoad<D>> contact_loads(const Setup &, const Boundary<D, double> &, const Snapshot &, \
-                                                     const ContactState<D> &, const ContactState<D> &);
+                                                     const ContactState<D> &, const ContactState<D> &,             \
+                                                     const SurfaceState<D> &);
 
 DEM_INSTANTIATE(2)
 DEM_INSTANTIATE(3)

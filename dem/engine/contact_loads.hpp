@@ -8,6 +8,7 @@
 #include "dem/effects/contact_force.hpp"
 #include "dem/engine/engine.hpp"
 #include "dem/state/boundary.hpp"
+#include "dem/state/surface.hpp"
 
 #include <array>
 #include <cstddef>
@@ -22,6 +23,15 @@ struct ContactState {
   std::array<std::vector<Vec<D, double>>, kHistoryCount> history;
 };
 
+// Of particles with surfaces of walls beside the box's, and where they touch what.
+template <int D>
+struct SurfaceState : ContactState<D> {
+  std::vector<SurfaceTouch<D>> touches;
+  std::vector<uint8_t> materials;          // of the surfaces
+  std::vector<Vec<D, double>> velocities;  // of their points
+  std::vector<Spin<D, double>> spins;
+};
+
 // A contact of particles a and b, or of particle a with a wall, and what acts on a.
 template <int D>
 struct ContactLoad {
@@ -34,6 +44,8 @@ struct ContactLoad {
   double reduced_radius;  // of a alone at a wall
   double smaller_radius;
   double image_speed;  // along x, that b has besides its own with the image that a meets
+  Vec<D, double> wall_velocity = Vec<D, double>::Zero();  // of a wall's surface there
+  Spin<D, double> wall_spin = Spin<D, double>::Zero();    // and of the wall
 
   double spring, dashpot;                  // forces along the normal that push apart; adhesion is of the spring
   double stiffness, damping;               // of the spring and of the dashpot beside it
@@ -52,7 +64,7 @@ struct ContactLoad {
 template <int D>
 std::vector<ContactLoad<D>> contact_loads(const Setup &setup, const Boundary<D, double> &boundary,
                                           const Snapshot &state, const ContactState<D> &pairs,
-                                          const ContactState<D> &walls);
+                                          const ContactState<D> &walls, const SurfaceState<D> &surfaces = {});
 
 // The motion of the surfaces of a contact against each other.
 template <int D>

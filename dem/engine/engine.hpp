@@ -7,6 +7,7 @@
 #include "dem/setup/setup.hpp"
 #include "dem/state/checkpoint.hpp"
 #include "dem/state/handover.hpp"
+#include "dem/state/surfaces.hpp"
 
 #include <hgrid/hgrid.h>
 
@@ -56,8 +57,9 @@ struct ContactLine {
 struct Measurement {
   double time = 0;
   double translation = 0, rotation = 0;  // kinetic energy
-  double contact = 0;  // elastic energy of contacts, less that of adhesion; tangential springs included
-  double gravity = 0;  // potential energy, 0 at the origin
+  double contact = 0;    // elastic energy of contacts, less that of adhesion; tangential springs included
+  double gravity = 0;    // potential energy, 0 at the origin
+  double wall_work = 0;  // that walls which move have done on particles since the setup began
   double momentum[3]{};
   double angular_momentum[3]{};            // about the origin, spins included; one component in two dimensions
   size_t contacts = 0, wall_contacts = 0;  // that overlap
@@ -87,6 +89,8 @@ class Engine {
   virtual Snapshot snapshot() = 0;
   // What another simulation goes on from, as one that begins: the state at the time of the step.
   virtual Handover hand_over() = 0;
+  // The walls beside those of the box.
+  virtual std::vector<WallReport> walls_now() = 0;
 
   virtual std::vector<ContactLine> contacts() = 0;  // those that overlap, by a and b; a is before b
 

@@ -12,6 +12,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace dem {
@@ -59,10 +60,15 @@ Simulation<D, Real>::Simulation(const Setup &setup, std::vector<uint32_t> places
       room_(search_.skin() / 2, goes_straight(setup)),
       pair_history_(setup.effects),
       wall_history_(setup.effects),
+      surfaces_(setup),
+      surface_history_(setup.effects),
       fastest_allowed_(dem::fastest_allowed(setup)),
       steps_(setup.beginning.step) {
   load_bodies(setup);
   load_history(setup.beginning);
+  if (surfaces_.empty()) return;
+  if (!std::is_same_v<Real, double>) throw Error("[[wall]] goes with double numbers only");
+  surface_kernel_ = find_surface_kernel<D>(setup.effects);
 }
 
 // Where contacts get shorter with speed, too fast particles stop the run: what followed would be wrong in silence.
@@ -97,6 +103,7 @@ template <int D, class Real>
 void Simulation<D, Real>::load_history(const Beginning &beginning) {
   pair_history_.begin(renumbered_pairs(beginning.pairs, places_));
   wall_history_.begin(renumbered_walls(beginning.walls, places_));
+  if (!surfaces_.empty()) surface_history_.begin(renumbered_walls(surfaces_.taken_over(beginning), places_));
 }
 
 // Who could reach a wall after moving and growing so far.
@@ -137,11 +144,21 @@ double Simulation<D, Real>::image_offset() const {
 }
 
 template <int D, class Real>
+bool Simulation<D, Real>::lists_hold() {
+  if (!surfaces_.empty()) {
+    surfaces_.move_to(since_beginning());
+    if (!surfaces_.hold(search_.skin() / 2)) return false;
+  }
+  return room_.holds(bodies_, threads_);
+}
+
+template <int D, class Real>
 void Simulation<D, Real>::find_pairs() {
   boundary_.offset = static_cast<Real>(image_offset());
-  if (room_.holds(bodies_, threads_)) return;
+  if (lists_hold()) return;
   pair_history_.pack(pairs_);
   wall_history_.pack(walls());
+  if (!surfaces_.empty()) surface_history_.pack(surfaces_.pairs());
   constexpr int32_t kType = sizeof(Real) == sizeof(double) ? HG_REAL64 : HG_REAL32;
   const auto column = [&](size_t k) {
     return hg_array{&bodies_.places.data()->numbers[k], sizeof(Row<Real>), kType, 0};
@@ -150,16 +167,31 @@ void Simulation<D, Real>::find_pairs() {
   pairs_ = search_.find(centers, radii_new_ ? &radius : nullptr, image_offset());
   radii_new_ = false;
   list_walls(search_.skin() / 2 + slack_);
-  share_out(bodies_.count(), threads_, pairs_, walls(), shares_);
-  std::vector<ListPart> of_walls, of_pairs;
+  if constexpr (std::is_same_v<Real, double>) {
+    if (!surfaces_.empty()) surfaces_.list(bodies_, search_, contact_range(setup_) + slack_, search_.skin() / 2);
+  }
+  share_out(bodies_.count(), threads_, pairs_, walls(), surfaces_.pairs(), shares_);
+  std::vector<ListPart> of_walls, of_surfaces, of_pairs;
   for (const Share &share : shares_.of_thread) {
     of_walls.push_back({share.first_wall, share.last_wall, nullptr});
+    of_surfaces.push_back({share.first_surface, share.last_surface, nullptr});
     of_pairs.push_back({share.first_pair, share.last_pair, nullptr});
     of_pairs.push_back({share.first_incoming, share.last_incoming, shares_.places.data()});
   }
   wall_history_.unpack(walls(), of_walls);
+  if (!surfaces_.empty()) surface_history_.unpack(surfaces_.pairs(), of_surfaces);
   pair_history_.unpack(pairs_, of_pairs);
   room_.renew(bodies_);
+}
+
+template <int D, class Real>
+void Simulation<D, Real>::find_surface_forces(size_t thread) {
+  if constexpr (std::is_same_v<Real, double>) {
+    const Share &share = shares_.of_thread[thread];
+    const SurfaceTask<D> task{&bodies_,           &surfaces_,  wall_laws_.all().data(),
+                              wall_laws_.width(), last_drift_, contact_range(setup_)};
+    surface_kernel_(task, share.first_surface, share.last_surface, surface_history_.part(thread));
+  }
 }
 
 // Walls first, then pairs in ascending order: a particle's sum is the same for any number of threads.
@@ -169,10 +201,13 @@ void Simulation<D, Real>::find_forces() {
   find_pairs();
   const ContactTask<D, Real> of_walls = task_of(wall_laws_), of_pairs = task_of(pair_laws_);
   std::vector<size_t> found(shares_.of_thread.size());
+  const bool has_surfaces = !surfaces_.empty();
+  if (has_surfaces) surfaces_.clear_pushes();
   in_parts(threads_, shares_.of_thread.size(), [&](int, size_t first, size_t last) {
     for (size_t k = first; k < last; k++) {
       const Share &share = shares_.of_thread[k];
       const size_t low = share.first_body, high = share.last_body;
+      if (has_surfaces) find_surface_forces(k);
       wall_kernel_(of_walls, {walls_.data(), share.first_wall, share.last_wall, low, high, wall_history_.part(k)});
       pair_kernel_(of_pairs, {shares_.incoming.data(), share.first_incoming, share.last_incoming, low, high,
                               pair_history_.part(2 * k + 1)});
@@ -180,6 +215,7 @@ void Simulation<D, Real>::find_forces() {
                               {pairs_.data(), share.first_pair, share.last_pair, low, high, pair_history_.part(2 * k)});
     }
   });
+  if (has_surfaces) surfaces_.sum_up();
   pair_count_ = std::accumulate(found.begin(), found.end(), size_t{0});
   forces_known_ = true;
 }
@@ -212,6 +248,7 @@ void Simulation<D, Real>::advance(const Stage &stage) {
   if (has(setup_.effects, kShear)) way += std::abs(static_cast<double>(boundary_.jump) * last_drift_) / 2;
   if (has(setup_.effects, kGrowth)) way += grow();
   room_.spend(way);
+  if (!surfaces_.empty()) surfaces_.press(last_drift_);
   forces_known_ = false;
 }
 

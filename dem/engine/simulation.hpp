@@ -7,6 +7,7 @@
 #include "dem/engine/engine.hpp"
 #include "dem/kernels/contact_kernel.hpp"
 #include "dem/kernels/motion_kernel.hpp"
+#include "dem/kernels/surface_kernel.hpp"
 #include "dem/state/contact_history.hpp"
 #include "dem/state/room.hpp"
 #include "dem/state/shares.hpp"
@@ -28,6 +29,7 @@ class Simulation final : public Engine {
   Measurement measure() override;
   Snapshot snapshot() override;
   Handover hand_over() override;
+  std::vector<WallReport> walls_now() override;
   std::vector<ContactLine> contacts() override;
   void count_work() override;
 
@@ -49,7 +51,9 @@ class Simulation final : public Engine {
 
   // Lists of the pairs and walls that may touch, for the present places.
   void find_pairs();
+  bool lists_hold();
   void find_forces();
+  void find_surface_forces(size_t thread);
   ContactTask<D, Real> task_of(const LawTable<Real> &laws);
   void advance(const Stage &stage);
   double grow();
@@ -90,6 +94,9 @@ class Simulation final : public Engine {
   std::vector<hg_pair> walls_;  // particles and walls
   Shares shares_;
   ContactHistory<D, Real> pair_history_, wall_history_;
+  Surfaces<D> surfaces_;
+  SurfaceKernel<D> surface_kernel_ = nullptr;
+  ContactHistory<D, double> surface_history_;
   size_t pair_count_ = 0;
 
   double fastest_allowed_;  // approach that the time step is short enough for

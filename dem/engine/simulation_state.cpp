@@ -62,6 +62,32 @@ ContactState<D> walls_in(const Setup &setup, const Boundary<D, double> &boundary
   return result;
 }
 
+template <int D>
+SurfaceState<D> surfaces_in(const Setup &setup, const Surfaces<D> &surfaces, const Snapshot &state) {
+  SurfaceState<D> result;
+  const PairView list = surfaces.pairs();
+  std::vector<SurfaceTouch<D>> touches;
+  for (size_t first = 0, end = 0; first < list.size(); first = end) {
+    const auto i = static_cast<size_t>(list[first].a);
+    while (end < list.size() && list[end].a == list[first].a) end++;
+    find_touches<D>(surfaces.surfaces(), list.data(), first, end, vector_at<Vec<D, double>>(state.centers, i),
+                    state.radii[i], contact_range(setup), touches);
+    for (const SurfaceTouch<D> &touch : touches) {
+      if (!touch.counts) continue;
+      result.list.push_back(list[touch.place]);
+      result.touches.push_back(touch);
+      const Surface<D> &surface = surfaces.surfaces()[static_cast<size_t>(list[touch.place].b)];
+      const WallPose<D> &pose = surfaces.pose_of(surface);
+      const Vec<D, double> point =
+          vector_at<Vec<D, double>>(state.centers, i) + touch.nearest.distance * touch.nearest.normal;
+      result.materials.push_back(surface.material);
+      result.velocities.push_back(pose.velocity_at(point));
+      result.spins.push_back(pose.spin);
+    }
+  }
+  return result;
+}
+
 // What decides the course of a simulation besides its state.
 struct Fingerprint {
   uint64_t dimension, precision, effects, count;
@@ -137,8 +163,16 @@ Handover Simulation<D, Real>::hand_over() {
   const std::vector<uint32_t> numbers = inverse(places_);
   result.beginning.pairs = renumbered_pairs(pair_history_.memory_of(pairs_), numbers);
   result.beginning.walls = renumbered_walls(wall_history_.memory_of(walls()), numbers);
+  result.beginning.surfaces = renumbered_walls(surface_history_.memory_of(surfaces_.pairs()), numbers);
+  result.beginning.wall_places = surfaces_.named_places();
   result.particles = std::move(state);
   return result;
+}
+
+template <int D, class Real>
+std::vector<WallReport> Simulation<D, Real>::walls_now() {
+  if (!surfaces_.empty()) find_forces();
+  return surfaces_.reports();
 }
 
 template <int D, class Real>
@@ -151,7 +185,9 @@ std::vector<ContactLoad<D>> Simulation<D, Real>::loads_of(const Snapshot &laggin
     ContactState<D> of_walls = walls_in<D>(setup_, boundary, lagging, walls());
     add_history(pair_history_, pairs_, of_pairs);
     add_history(wall_history_, walls(), of_walls);
-    return contact_loads<D>(setup_, boundary, lagging, of_pairs, of_walls);
+    SurfaceState<D> of_surfaces = surfaces_in<D>(setup_, surfaces_, lagging);
+    add_history(surface_history_, surfaces_.pairs(), of_surfaces);
+    return contact_loads<D>(setup_, boundary, lagging, of_pairs, of_walls, of_surfaces);
   }
   // Positions are ahead of the step: its contacts are others than those of the forces, and remember nothing.
   room_.forget();
@@ -175,6 +211,7 @@ Measurement Simulation<D, Real>::measure() {
   const Snapshot state = state_now(), lagging = state_after(0);
   const std::vector<ContactLoad<D>> loads = loads_of(lagging);
   Measurement result = measure_state<D>(setup_, state, loads);
+  result.wall_work = surfaces_.work();
   if (!counts_work_) return result;
   result.work = work_;
   add(result.work, power_of<D>(setup_, lagging, state, loads), lag());
@@ -248,6 +285,8 @@ void Simulation<D, Real>::save(Checkpoint &checkpoint) const {
   }
   pair_history_.save("pair", pairs_, checkpoint);
   wall_history_.save("wall", walls(), checkpoint);
+  if (!surfaces_.empty()) surface_history_.save("surface", surfaces_.pairs(), checkpoint);
+  surfaces_.save(checkpoint);
 }
 
 template <int D, class Real>
@@ -282,6 +321,8 @@ void Simulation<D, Real>::restore(const Checkpoint &checkpoint) {
   });
   pair_history_.restore("pair", checkpoint);
   wall_history_.restore("wall", checkpoint);
+  if (!surfaces_.empty()) surface_history_.restore("surface", checkpoint);
+  surfaces_.restore(checkpoint);
   radii_new_ = true;
   room_.forget();
 }
@@ -300,6 +341,7 @@ void Simulation<D, Real>::restore_materials(const Checkpoint &checkpoint) {
   template Snapshot Simulation<D, Real>::state_now();                    \
   template Snapshot Simulation<D, Real>::snapshot();                     \
   template Handover Simulation<D, Real>::hand_over();                    \
+  template std::vector<WallReport> Simulation<D, Real>::walls_now();     \
   template Measurement Simulation<D, Real>::measure();                   \
   template std::vector<ContactLine> Simulation<D, Real>::contacts();     \
   template void Simulation<D, Real>::count_work();                       \

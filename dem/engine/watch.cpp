@@ -56,8 +56,9 @@ std::vector<std::string> Watch::look(uint64_t step, const Measurement &m) {
                        rounded(std::sqrt(m.step_load)) + " of what they allow or more");
   }
   scale_ = std::max(scale_, m.translation + m.rotation + std::fabs(m.contact));
-  lowest_ = std::min(lowest_, m.energy());
-  const double rise = scale_ > 0 && !gains_ ? (m.energy() - lowest_) / scale_ : 0;
+  const double energy = m.energy() - m.wall_work;
+  lowest_ = std::min(lowest_, energy);
+  const double rise = scale_ > 0 && !gains_ ? (energy - lowest_) / scale_ : 0;
   if (rise_.note(rise, kMuchRise, step)) {
     warnings.push_back("the energy has risen by " + rounded(rise) +
                        " of what is in motion and in contacts, and nothing puts any in: the time step is too large");

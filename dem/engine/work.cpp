@@ -10,11 +10,14 @@
 namespace dem {
 namespace {
 
-// What a fixed particle that moves, or turns, does to the one that touches it.
+// What a fixed particle or a wall that moves, or turns, does to the particle that touches it.
 template <int D>
 double push_of_fixed(const Snapshot &state, const ContactLoad<D> &load) {
-  if (load.b == ContactLoad<D>::kWall) return 0;
   const Vec<D, double> force = load.force();
+  if (load.b == ContactLoad<D>::kWall) {
+    const double roll = load.reduced_radius * moment<D, double>(load.normal, load.resistance).dot(load.wall_spin);
+    return force.dot(load.wall_velocity) + roll;
+  }
   const auto push = [&](size_t fixed, double sign, double arm) {
     double power = sign * force.dot(vector_at<Vec<D, double>>(state.velocities, fixed));
     if (state.spins.empty()) return power;

@@ -18,12 +18,15 @@ namespace output {
 namespace {
 
 constexpr const char *kEnergies =
-    "step,time,energy,translation,rotation,contact,gravity,contacts,wall_contacts,largest_overlap";
+    "step,time,energy,translation,rotation,contact,gravity,contacts,wall_contacts,largest_overlap,"
+    "wall_work";
 constexpr const char *kWork = ",dashpot,friction,rolling,drag,input,balance";
 constexpr const char *kBulk =
     "step,time,pressure,stress_xx,stress_yy,stress_zz,stress_xy,stress_xz,stress_yz,kinetic_xx,kinetic_yy,kinetic_zz,"
     "kinetic_xy,kinetic_xz,kinetic_yz,coordination,backbone,rattlers,fabric_xx,fabric_yy,fabric_zz,fabric_xy,fabric_xz,"
     "fabric_yz,temperature";
+
+constexpr const char *kWalls = "step,time,wall,shift_x,shift_y,shift_z,angle,force_x,force_y,force_z,torque,work";
 
 // Files sort by step, by name too.
 std::string name_of(const char *what, uint64_t step, const std::string &format) {
@@ -44,7 +47,8 @@ std::string bulk_row(const dem::Measurement &m) {
 }
 
 std::string energy_row(const dem::Measurement &m, bool work) {
-  const std::string counts = particles::formatted(",%zu,%zu,%.6g", m.contacts, m.wall_contacts, m.largest_overlap);
+  const std::string counts =
+      particles::formatted(",%zu,%zu,%.6g,%.17g", m.contacts, m.wall_contacts, m.largest_overlap, m.wall_work);
   const std::string energies = row_of({m.time, m.energy(), m.translation, m.rotation, m.contact, m.gravity}) + counts;
   if (!work) return energies;
   return energies + "," +
@@ -63,7 +67,7 @@ std::vector<TimedFile> files_until(const std::string &list, const std::string &l
 }  // namespace
 
 Recorder::Recorder(std::string directory, Asked asked, uint64_t done)
-    : directory_(std::move(directory)), asked_(std::move(asked)) {
+    : directory_(std::move(directory)), asked_(std::move(asked)), done_(done) {
   std::error_code error;
   std::filesystem::create_directories(directory_, error);
   if (error) throw particles::Error(directory_ + ": cannot make this folder: " + error.message());
@@ -95,6 +99,17 @@ void Recorder::picture(const dem::Setup &setup, uint64_t step, dem::Engine &engi
 void Recorder::measurement(uint64_t step, const dem::Measurement &m) {
   energies_->add(step, energy_row(m, asked_.work));
   if (bulk_) bulk_->add(step, bulk_row(m));
+}
+
+void Recorder::walls(uint64_t step, double time, const std::vector<dem::WallReport> &walls) {
+  if (walls.empty()) return;
+  if (!walls_) walls_ = std::make_unique<CsvTable>(directory_ + "/walls.csv", kWalls, done_);
+  for (const dem::WallReport &wall : walls) {
+    const double *shift = wall.place.shift, *push = wall.push;
+    walls_->add(step, row_of({time}) + "," + wall.name + "," +
+                          row_of({shift[0], shift[1], shift[2], wall.place.angle, push[0], push[1], push[2],
+                                  wall.torque, wall.work}));
+  }
 }
 
 }  // namespace output

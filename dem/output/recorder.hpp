@@ -35,13 +35,16 @@ class Recorder {
   void picture(const dem::Setup &setup, uint64_t step, dem::Engine &engine);
   // A row of each table.
   void measurement(uint64_t step, const dem::Measurement &measurement);
+  // A row for each wall beside the box's in walls.csv, which is there once there is one.
+  void walls(uint64_t step, double time, const std::vector<dem::WallReport> &walls);
 
   std::string checkpoint_path() const { return directory_ + "/checkpoint"; }
 
  private:
   std::string directory_;
   Asked asked_;
-  std::unique_ptr<CsvTable> energies_, bulk_;
+  uint64_t done_;
+  std::unique_ptr<CsvTable> energies_, bulk_, walls_;
   std::vector<TimedFile> animation_, networks_;
 };
 

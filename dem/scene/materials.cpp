@@ -80,10 +80,20 @@ void read_pair(const Table &table, dem::Setup &setup, std::vector<bool> &given) 
   setup.pairs[setup.pair_of(b, a)] = setup.pairs[setup.pair_of(a, b)];
 }
 
+bool has_wall_of(const dem::Setup &setup, size_t material) {
+  const std::vector<int> walls = dem::materials_of_walls(setup);
+  return std::find(walls.begin(), walls.end(), static_cast<int>(material)) != walls.end();
+}
+
 // Whether one law holds between particles and another between particles and walls, as without materials.
 bool is_one_for_all(const Table &top, const dem::Setup &setup) {
   const auto meetings = dem::meetings(setup);
   const size_t a = setup.material_ids.front(), none = setup.materials.size();
+  // Walls of the material beside walls of none are of two laws.
+  const auto is_met = [&](size_t other) {
+    return std::find(meetings.begin(), meetings.end(), std::pair(a, other)) != meetings.end();
+  };
+  if (is_met(none) && has_wall_of(setup, a)) return false;
   return std::all_of(meetings.begin(), meetings.end(), [&](const std::pair<size_t, size_t> &pair) {
     return pair.first == a && (pair.second == a || (pair.second == none && !top.has("pair")));
   });
@@ -91,8 +101,7 @@ bool is_one_for_all(const Table &top, const dem::Setup &setup) {
 
 void put_one_for_all(dem::Setup &setup) {
   const size_t a = setup.material_ids.front();
-  const bool of_walls = std::any_of(std::begin(setup.wall_materials), std::end(setup.wall_materials),
-                                    [](int material) { return material >= 0; });
+  const bool of_walls = has_wall_of(setup, a);
   const ContactParameters own = setup.materials[a].contact;
   setup.contact = setup.pairs[setup.pair_of(a, a)];
   setup.contact.stiffness = own.stiffness;
@@ -109,6 +118,7 @@ void put_one_for_all(dem::Setup &setup) {
   setup.pairs.clear();
   setup.material_ids.clear();
   std::fill(std::begin(setup.wall_materials), std::end(setup.wall_materials), -1);
+  for (dem::WallBody &wall : setup.walls) wall.material = -1;
 }
 
 }  // namespace

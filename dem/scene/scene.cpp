@@ -9,6 +9,7 @@
 #include "dem/scene/particles.hpp"
 #include "dem/scene/silent_units.hpp"
 #include "dem/scene/table.hpp"
+#include "dem/scene/walls.hpp"
 #include "dem/setup/time_step.hpp"
 #include "particles/files/format.hpp"
 #include "particles/text/lists.hpp"
@@ -156,10 +157,28 @@ void fit_spins(dem::Setup &setup) {
   setup.spins.resize(has(setup.effects, dem::kFriction) ? size : 0);
 }
 
+// What a stage starts from: without the particles that it removes.
+dem::Handover thinned(const Table &stage, int dimension, const dem::Handover &start) {
+  if (!stage.has("remove")) return start;
+  const auto width = static_cast<size_t>(dimension);
+  const std::vector<std::vector<double>> corners = stage.list("remove", width);
+  if (corners.size() != 2) stage.fail("remove", "is a list of two corners, not " + std::to_string(corners.size()));
+  const size_t count = start.particles.count();
+  std::vector<bool> gone(count, true);
+  for (size_t k = 0; k < count * width; k++) {
+    const double x = start.particles.centers[k];
+    if (x < corners[0][k % width] || x > corners[1][k % width]) gone[k / width] = false;
+  }
+  return without(start, gone);
+}
+
 }  // namespace
 
 StagedScene::StagedScene(const std::string &path, const std::vector<Setting> &settings)
-    : file_(path, settings), top_(file_.top()), stages_(top_.parts(kStage)) {
+    : file_(path, settings),
+      folder_(std::filesystem::path(path).parent_path().string()),
+      top_(file_.top()),
+      stages_(top_.parts(kStage)) {
   const uint64_t dimension = top_.count("dimension", 3);
   if (dimension != 2 && dimension != 3) top_.fail("dimension", "is 2 or 3, not " + std::to_string(dimension));
   dimension_ = static_cast<int>(dimension);
@@ -180,9 +199,8 @@ void StagedScene::read_particles() {
   const std::vector<Table> groups = top_.parts("particles");
   if (groups.empty()) top_.fail("particles", "a scene needs at least one table [[particles]]");
   refuse_silent_units(top_);
-  const std::string folder = std::filesystem::path(file_.path()).parent_path().string();
   for (const Table &group : groups) {
-    const particles::ParticleSet source = add_particles(group, folder, setup);
+    const particles::ParticleSet source = add_particles(group, folder_, setup);
     unused_.insert(unused_.end(), source.unused.begin(), source.unused.end());
     if (!source.has_box || source_box_.is_there) continue;
     source_box_.is_there = true;
@@ -193,7 +211,7 @@ void StagedScene::read_particles() {
   particles_ = setup;
 }
 
-Scene StagedScene::read_stage(size_t number, const dem::Handover &start) const {
+Scene StagedScene::read_stage(size_t number, const dem::Handover &before) const {
   const Table top = top_of(number);
   Scene scene;
   scene.title = top_.text("title", "");
@@ -201,19 +219,25 @@ Scene StagedScene::read_stage(size_t number, const dem::Handover &start) const {
   scene.unused = unused_;
   dem::Setup &setup = scene.setup, former;
   setup.dimension = former.dimension = dimension_;
+  const dem::Handover start = stages_.empty() ? before : thinned(stages_[number], dimension_, before);
   static_cast<dem::ParticleArrays &>(setup) = start.particles;
   setup.beginning = start.beginning;
   read_effects(top, setup);
   read_materials(top, setup);
   fit_spins(setup);
   read_box(top, source_box_, setup);
-  scene.material_ids = setup.material_ids;
-  settle_materials(top, setup);
   if (number > 0) read_effects(top_of(number - 1), former);
   if (has(former.effects, dem::kShear) && !has(setup.effects, dem::kShear)) {
     stages_[number].fail("shear", "the images stay where shear has moved them: instead of false give a rate of 0");
   }
   add_shear_profile(setup, former.shear_rate);
+  if (!stages_.empty()) {
+    for (const Table &group : stages_[number].parts("particles")) add_particles(group, folder_, setup);
+  }
+  if (setup.count() == 0) stages_[number].fail("remove", "leaves no particle");
+  read_walls(top, folder_, setup);
+  scene.material_ids = setup.material_ids;
+  settle_materials(top, setup);
   read_run(top, scene);
   read_time_step(top, scene);
   uint64_t length = 0;

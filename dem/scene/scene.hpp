@@ -63,10 +63,11 @@ class StagedScene {
  private:
   // What the file says about a stage.
   Table top_of(size_t number) const { return stages_.empty() ? top_ : top_.under(stages_[number]); }
-  Scene read_stage(size_t number, const dem::Handover &start) const;
+  Scene read_stage(size_t number, const dem::Handover &before) const;
   void read_particles();
 
   SceneFile file_;
+  std::string folder_;  // where relative file names start from
   Table top_;
   std::vector<Table> stages_;
   int dimension_ = 3;

@@ -68,6 +68,9 @@ bool Table::has(const char *key) const { return find(key) != nullptr; }
 
 std::string Table::full_name(const char *key) const { return (name_.empty() ? "" : name_ + ".") + key; }
 
+// What stands in a stage is as at the top of the file.
+std::string Table::part_name(const char *name) const { return name_ == kStage ? name : full_name(name); }
+
 void Table::fail_at(const toml::node &node, const std::string &message) const {
   fail_at_line(*file_, node.source().begin.line, message);
 }
@@ -216,8 +219,7 @@ std::optional<Table> Table::part(const char *name) const {
   if (node == nullptr) return std::nullopt;
   const toml::table *table = node->as_table();
   if (table == nullptr) fail_at(*node, full_name(name) + " is " + kind_name(*node) + " where a table is wanted");
-  // What stands in a stage is as at the top of the file.
-  const std::string place = name_ == kStage ? name : full_name(name);
+  const std::string place = part_name(name);
   const Table result(*file_, place, *table);
   // Of two tables the stage's lies over the scene's.
   const toml::node *below = over_ != nullptr ? table_->get(name) : nullptr;
@@ -234,7 +236,7 @@ std::vector<Table> Table::parts(const char *name) const {
     fail_at(*node,
             full_name(name) + " is " + kind_name(*node) + " where tables [[" + full_name(name) + "]] are wanted");
   }
-  for (const toml::node &item : *array) result.emplace_back(*file_, full_name(name), *item.as_table());
+  for (const toml::node &item : *array) result.emplace_back(*file_, part_name(name), *item.as_table());
   return result;
 }
 
@@ -253,7 +255,7 @@ bool Table::has_units() const {
       for (const Table &one : parts(word.c_str())) {
         if (one.has_units()) return true;
       }
-    } else {
+    } else if (!node.is_boolean()) {  // false in a stage may take a table away
       const Key &key = key_of(name_, word);
       const bool measured = key.kind == Kind::kNumber || key.kind == Kind::kVector || key.kind == Kind::kList;
       if (!measured || key.unit == kPure) continue;

@@ -60,6 +60,7 @@ class Table {
   std::vector<double> measures(const toml::node &node, const char *key, size_t size) const;
   std::string word(const toml::node &node, const char *key, const std::vector<std::string> &words) const;
   std::string full_name(const char *key) const;
+  std::string part_name(const char *name) const;
 
   const std::string *file_;
   std::string name_;

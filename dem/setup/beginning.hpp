@@ -5,11 +5,14 @@
 #pragma once
 
 #include "dem/effects/table.hpp"
+#include "dem/setup/wall_body.hpp"
 
 #include <hgrid/hgrid.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace dem {
@@ -20,11 +23,19 @@ struct ContactMemory {
   std::array<std::vector<double>, kHistoryCount> rows;  // by history_of(effect), a vector for each pair, or empty
 };
 
+// Where a wall beside those of the box stands, and which numbers its surfaces have.
+struct NamedPlace {
+  std::string name;
+  WallPlace place;
+  size_t first_surface = 0, surface_count = 0;
+};
+
 struct Beginning {
   uint64_t step = 0;
   double time = 0;
   double image_offset = 0;  // how far the images above have moved along x (shear)
-  ContactMemory pairs, walls;
+  ContactMemory pairs, walls, surfaces;
+  std::vector<NamedPlace> wall_places;
 };
 
 }  // namespace dem

@@ -24,13 +24,21 @@ void check_numbers(const Setup &setup, const ContactParameters &numbers, const c
 
 }  // namespace
 
+std::vector<int> materials_of_walls(const Setup &setup) {
+  std::vector<int> materials;
+  for (size_t wall = 0; wall < 2 * static_cast<size_t>(setup.dimension); wall++) {
+    if (setup.walled[wall / 2]) materials.push_back(setup.wall_materials[wall]);
+  }
+  for (const WallBody &wall : setup.walls) materials.push_back(wall.material);
+  return materials;
+}
+
 std::vector<std::pair<size_t, size_t>> meetings(const Setup &setup) {
   const size_t count = setup.materials.size();
   std::vector<bool> of_particles(count), of_walls(count + 1);
   for (const uint8_t id : setup.material_ids) of_particles[id] = true;
-  for (size_t wall = 0; wall < 2 * static_cast<size_t>(setup.dimension); wall++) {
-    const int material = setup.wall_materials[wall];
-    if (setup.walled[wall / 2]) of_walls[material < 0 ? count : static_cast<size_t>(material)] = true;
+  for (const int material : materials_of_walls(setup)) {
+    of_walls[material < 0 ? count : static_cast<size_t>(material)] = true;
   }
   std::vector<std::pair<size_t, size_t>> result;
   for (size_t a = 0; a < count; a++) {
@@ -65,7 +73,7 @@ void check_materials(const Setup &setup) {
     throw Error("particle " + std::to_string(i) + " is of material " + std::to_string(setup.material_ids[i]) +
                 ", and there are " + std::to_string(count));
   }
-  for (const int material : setup.wall_materials) {
+  for (const int material : materials_of_walls(setup)) {
     if (material >= static_cast<int>(count)) throw Error("a wall is of material " + std::to_string(material));
   }
   for (const Material &material : setup.materials)

@@ -13,6 +13,9 @@ namespace dem {
 
 constexpr size_t kMostMaterials = 255;  // one byte tells which, or that a wall has none
 
+// Those of all walls that there are; -1: none.
+std::vector<int> materials_of_walls(const Setup &setup);
+
 // All materials a and b of which particles of a can meet particles or walls of b; b is materials.size() for walls of no
 // material. Also before the particles have got the effect.
 std::vector<std::pair<size_t, size_t>> meetings(const Setup &setup);

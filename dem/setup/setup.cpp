@@ -69,6 +69,10 @@ void check_axes(const Setup &setup) {
   if (any_walled != has(setup.effects, kWalls) || any_periodic != has(setup.effects, kPeriodic)) {
     throw Error("the walled and periodic axes do not agree with the effects " + names_of(setup.effects));
   }
+  if (setup.walls.empty() == has(setup.effects, kSurfaces)) {
+    throw Error("there are " + std::to_string(setup.walls.size()) +
+                " walls beside the box's, which does not agree with " + "the effects " + names_of(setup.effects));
+  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "dem/effects/effects.hpp"
 #include "dem/setup/beginning.hpp"
 #include "dem/setup/scheme.hpp"
+#include "dem/setup/wall_body.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,7 @@ struct ParticleArrays {
 struct Setup : Physics, ParticleArrays {
   int dimension = 3;
   double box_min[3]{}, box_max[3]{};
+  std::vector<WallBody> walls;  // beside those of the box (surfaces)
   double time_step = 0;
   Scheme scheme = velocity_verlet();
   int threads = 1;      // 0: all that the machine offers. Results do not depend on it

@@ -5,6 +5,7 @@
 
 #include "dem/base/error.hpp"
 #include "dem/effects/contact_law.hpp"
+#include "dem/setup/materials.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,6 +66,22 @@ double square_of_fall(const Setup &setup) {
   return square;
 }
 
+// Of any point of the walls beside the box's; planes turn too slowly along themselves to matter.
+double fastest_wall(const Setup &setup) {
+  double fastest = 0;
+  for (const WallBody &wall : setup.walls) {
+    double reach = wall.shape == WallShape::kCylinder ? wall.radius : 0, speed = wall.fastest;
+    for (size_t k = 0; k + 2 < wall.corners.size(); k += 3) {
+      reach = std::max(reach, std::hypot(wall.corners[k] - wall.pivot[0], wall.corners[k + 1] - wall.pivot[1],
+                                         wall.corners[k + 2] - wall.pivot[2]));
+    }
+    speed += std::hypot(wall.velocity[0], wall.velocity[1], wall.velocity[2]);
+    speed += 2 * kPi * wall.frequency * std::hypot(wall.swing[0], wall.swing[1], wall.swing[2]);
+    fastest = std::max(fastest, speed + std::fabs(wall.turning) * reach);
+  }
+  return fastest;
+}
+
 double fastest_approach(const Setup &setup) {
   if (setup.impact_speed > 0) return setup.impact_speed;
   const auto dimension = static_cast<size_t>(setup.dimension);
@@ -74,7 +91,7 @@ double fastest_approach(const Setup &setup) {
     for (size_t axis = 0; axis < dimension; axis++) square += std::pow(setup.velocities[i * dimension + axis], 2);
     fastest = std::max(fastest, square);
   }
-  return std::sqrt(4 * fastest + square_of_fall(setup));
+  return std::sqrt(4 * fastest + square_of_fall(setup)) + fastest_wall(setup);
 }
 
 // How much faster the tangential spring of one contact swings than the normal one: it moves mu / (1 + m r^2 / I).
@@ -117,10 +134,8 @@ void add_pairs(const Setup &setup, const std::vector<Lot> &lots, std::vector<Kin
 // With Hertz the mass is that of a pair, and the modulus the larger one of pairs and walls.
 void add_walls(const Setup &setup, const std::vector<Lot> &lots, std::vector<Kind> &kinds) {
   const LawTable<double> laws(setup, Partner::kWall), of_pairs(setup, Partner::kParticle);
-  for (int wall = 0; wall < 2 * setup.dimension; wall++) {
-    if (!setup.walled[wall / 2]) continue;
-    const size_t b =
-        setup.wall_materials[wall] < 0 ? setup.materials.size() : static_cast<size_t>(setup.wall_materials[wall]);
+  for (const int material : materials_of_walls(setup)) {
+    const size_t b = material < 0 ? setup.materials.size() : static_cast<size_t>(material);
     for (size_t a = 0; a < lots.size(); a++) {
       if (!lots[a].any) continue;
       Kind kind{laws.at(a, b), &both_of(setup, a, b), 1 / (1 / lots[a].lightest + 1 / kInfinity), lots[a].largest,
@@ -178,7 +193,7 @@ std::vector<ShortestContact> shortest_contacts(const Setup &setup) {
   const std::vector<Lot> lots = lots_of(setup);
   std::vector<Kind> kinds;
   add_pairs(setup, lots, kinds);
-  if (has(setup.effects, kWalls)) add_walls(setup, lots, kinds);
+  add_walls(setup, lots, kinds);
   const double speed = has(setup.effects, kHertz | kAdhesion) ? fastest_approach(setup) : 0;
   std::vector<ShortestContact> contacts(1);  // of no particles
   for (const Kind &kind : kinds) contacts.push_back(shortest_of(setup, kind, speed));

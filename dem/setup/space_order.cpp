@@ -14,11 +14,11 @@ namespace {
 constexpr int kBits = 21;  // per axis: three fit into a word
 
 template <class Item>
-void reorder_rows(std::vector<Item> &rows, const std::vector<uint32_t> &order) {
+void reorder_rows(std::vector<Item> &rows, size_t count, const std::vector<uint32_t> &order) {
   if (rows.empty()) return;
-  const size_t width = rows.size() / order.size();
+  const size_t width = rows.size() / count;
   std::vector<Item> result;
-  result.reserve(rows.size());
+  result.reserve(width * order.size());
   for (const uint32_t i : order) {
     const auto row = rows.begin() + static_cast<ptrdiff_t>(i * width);
     result.insert(result.end(), row, row + static_cast<ptrdiff_t>(width));
@@ -59,11 +59,12 @@ Setup reordered(const Setup &setup, const std::vector<uint32_t> &order) {
 }
 
 void reorder(ParticleArrays &particles, const std::vector<uint32_t> &order) {
+  const size_t count = particles.count();
   for (auto *rows :
        {&particles.centers, &particles.velocities, &particles.radii, &particles.masses, &particles.spins}) {
-    reorder_rows(*rows, order);
+    reorder_rows(*rows, count, order);
   }
-  reorder_rows(particles.material_ids, order);
+  reorder_rows(particles.material_ids, count, order);
 }
 
 std::vector<uint32_t> inverse(const std::vector<uint32_t> &order) {

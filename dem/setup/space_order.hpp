@@ -16,7 +16,7 @@ std::vector<uint32_t> space_order(const Setup &setup);
 // The same setup with its particles in that order.
 Setup reordered(const Setup &setup, const std::vector<uint32_t> &order);
 
-// Particle order[k] comes k-th; the inverse order brings all back.
+// Particle order[k] comes k-th, those that it leaves out are gone; the inverse of one that has all brings them back.
 void reorder(ParticleArrays &particles, const std::vector<uint32_t> &order);
 std::vector<uint32_t> inverse(const std::vector<uint32_t> &order);
 

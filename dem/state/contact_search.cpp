@@ -63,4 +63,8 @@ PairView ContactSearch::find(const hg_array *centers, const hg_array *radius, do
   return grid_.query_pairs();
 }
 
+hgrid::Rows ContactSearch::near_triangles(const std::vector<double> &corners) const {
+  return grid_.query_triangles(corners.size() / 9, corners.data());
+}
+
 }  // namespace dem

@@ -8,6 +8,7 @@
 #include <hgrid/hgrid.hpp>
 
 #include <cstddef>
+#include <vector>
 
 namespace dem {
 
@@ -28,6 +29,10 @@ class ContactSearch {
   // not changed. `offset` is how far the images above have moved along x (shear): the tilt of the periodic cell. The
   // result lasts until the next call.
   PairView find(const hg_array *centers, const hg_array *radius, double offset);
+
+  // Particles that triangles, [count][3 corners][3], act on or could after half the skin of either side; for the places
+  // of the last search, as long as that of others is not asked for.
+  hgrid::Rows near_triangles(const std::vector<double> &corners) const;
 
   hg_grid_stats stats() const { return grid_.get_stats(); }
 

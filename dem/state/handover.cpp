@@ -3,10 +3,10 @@
 // What a simulation leaves to the next one.
 #include "dem/state/handover.hpp"
 
+#include "dem/setup/space_order.hpp"
+
 #include <algorithm>
-#include <numeric>
 #include <string>
-#include <utility>
 
 namespace dem {
 namespace {
@@ -15,14 +15,17 @@ namespace {
 // the normal, which turns round, too, and stays.
 bool turns_round(size_t history) { return history == history_of(kFriction); }
 
+// rename(pair) gives its particles their new numbers; returns -1 if they change places, 0 if one is gone, else 1.
 template <class Rename>
 ContactMemory renumbered(const ContactMemory &memory, Rename rename) {
   const size_t count = memory.pairs.size();
   std::vector<hg_pair> pairs = memory.pairs;
-  std::vector<double> signs(count, 1.0);
-  for (size_t p = 0; p < count; p++) signs[p] = rename(pairs[p]) ? -1 : 1;
-  std::vector<size_t> order(count);
-  std::iota(order.begin(), order.end(), size_t{0});
+  std::vector<int> signs;
+  std::vector<size_t> order;
+  for (size_t p = 0; p < count; p++) {
+    signs.push_back(rename(pairs[p]));
+    if (signs[p] != 0) order.push_back(p);
+  }
   std::sort(order.begin(), order.end(), [&](size_t x, size_t y) {
     return pairs[x].a != pairs[y].a ? pairs[x].a < pairs[y].a : pairs[x].b < pairs[y].b;
   });
@@ -54,24 +57,77 @@ void visit_arrays(SomeHandover &handover, Visit visit) {
   };
   visit_memory("start pair", handover.beginning.pairs);
   visit_memory("start wall", handover.beginning.walls);
+  visit_memory("start surface", handover.beginning.surfaces);
+}
+
+// Names may be of any length, so they stand one after the other, each with a 0 at its end.
+void save_places(const std::vector<NamedPlace> &places, Checkpoint &checkpoint) {
+  std::string names;
+  std::vector<double> numbers;
+  std::vector<uint64_t> surfaces;
+  for (const NamedPlace &wall : places) {
+    names += wall.name + '\0';
+    numbers.insert(numbers.end(), wall.place.shift, wall.place.shift + 3);
+    numbers.insert(numbers.end(), {wall.place.angle, wall.place.press_speed});
+    surfaces.insert(surfaces.end(), {wall.first_surface, wall.surface_count});
+  }
+  checkpoint.put("start wall names", names.data(), names.size());
+  checkpoint.put("start wall places", numbers);
+  checkpoint.put("start wall surfaces", surfaces);
+}
+
+std::vector<NamedPlace> restore_places(const Checkpoint &checkpoint) {
+  std::vector<char> names;
+  std::vector<uint64_t> surfaces;
+  checkpoint.get_all("start wall names", names);
+  checkpoint.get_all("start wall surfaces", surfaces);
+  std::vector<NamedPlace> places(surfaces.size() / 2);
+  std::vector<double> numbers(5 * places.size());
+  checkpoint.get("start wall places", numbers);
+  auto name = names.begin();
+  for (size_t k = 0; k < places.size(); k++) {
+    const auto end = std::find(name, names.end(), '\0');
+    places[k].name.assign(name, end);
+    name = end == names.end() ? end : end + 1;
+    std::copy_n(&numbers[5 * k], 3, places[k].place.shift);
+    places[k].place.angle = numbers[5 * k + 3];
+    places[k].place.press_speed = numbers[5 * k + 4];
+    places[k].first_surface = surfaces[2 * k];
+    places[k].surface_count = surfaces[2 * k + 1];
+  }
+  return places;
 }
 
 }  // namespace
 
+Handover without(const Handover &handover, const std::vector<bool> &gone) {
+  std::vector<uint32_t> kept, numbers(gone.size(), kGone);
+  for (size_t i = 0; i < gone.size(); i++) {
+    if (gone[i]) continue;
+    numbers[i] = static_cast<uint32_t>(kept.size());
+    kept.push_back(static_cast<uint32_t>(i));
+  }
+  Handover result = handover;
+  reorder(result.particles, kept);
+  result.beginning.pairs = renumbered_pairs(handover.beginning.pairs, numbers);
+  result.beginning.walls = renumbered_walls(handover.beginning.walls, numbers);
+  result.beginning.surfaces = renumbered_walls(handover.beginning.surfaces, numbers);
+  return result;
+}
+
 ContactMemory renumbered_pairs(const ContactMemory &memory, const std::vector<uint32_t> &numbers) {
   return renumbered(memory, [&](hg_pair &pair) {
-    pair.a = static_cast<int32_t>(numbers[static_cast<size_t>(pair.a)]);
-    pair.b = static_cast<int32_t>(numbers[static_cast<size_t>(pair.b)]);
-    if (pair.a < pair.b) return false;
-    std::swap(pair.a, pair.b);
-    return true;
+    const uint32_t a = numbers[static_cast<size_t>(pair.a)], b = numbers[static_cast<size_t>(pair.b)];
+    pair = {static_cast<int32_t>(std::min(a, b)), static_cast<int32_t>(std::max(a, b))};
+    return a == kGone || b == kGone ? 0 : a < b ? 1 : -1;
   });
 }
 
 ContactMemory renumbered_walls(const ContactMemory &memory, const std::vector<uint32_t> &numbers) {
   return renumbered(memory, [&](hg_pair &pair) {
-    pair.a = static_cast<int32_t>(numbers[static_cast<size_t>(pair.a)]);
-    return false;
+    const uint32_t a = numbers[static_cast<size_t>(pair.a)];
+    pair.a = static_cast<int32_t>(a);
+    return a == kGone ? 0 : 1;
   });
 }
 
@@ -80,6 +136,7 @@ void save_handover(const Handover &handover, Checkpoint &checkpoint) {
   checkpoint.put_value("start time", handover.beginning.time);
   checkpoint.put_value("start image offset", handover.beginning.image_offset);
   visit_arrays(handover, [&](const std::string &name, const auto &items) { checkpoint.put(name, items); });
+  save_places(handover.beginning.wall_places, checkpoint);
 }
 
 Handover restore_handover(const Checkpoint &checkpoint) {
@@ -88,6 +145,7 @@ Handover restore_handover(const Checkpoint &checkpoint) {
   handover.beginning.time = checkpoint.get_value<double>("start time");
   handover.beginning.image_offset = checkpoint.get_value<double>("start image offset");
   visit_arrays(handover, [&](const std::string &name, auto &items) { checkpoint.get_all(name, items); });
+  handover.beginning.wall_places = restore_places(checkpoint);
   return handover;
 }
 

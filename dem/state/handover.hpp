@@ -17,7 +17,13 @@ struct Handover {
   Beginning beginning;
 };
 
-// The same contacts where particle i is called numbers[i]; of pairs both are, of walls the particle alone.
+constexpr uint32_t kGone = static_cast<uint32_t>(-1);
+
+// What is left without some of the particles and their contacts.
+Handover without(const Handover &handover, const std::vector<bool> &gone);
+
+// The same contacts, but for those of particles with the number kGone, where particle i is called numbers[i]; of pairs
+// both are, of walls the particle alone.
 ContactMemory renumbered_pairs(const ContactMemory &memory, const std::vector<uint32_t> &numbers);
 ContactMemory renumbered_walls(const ContactMemory &memory, const std::vector<uint32_t> &numbers);
 

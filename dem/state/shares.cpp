@@ -17,7 +17,7 @@ size_t first_with(PairView pairs, size_t body) {
 
 }  // namespace
 
-void share_out(size_t count, int threads, PairView pairs, PairView walls, Shares &shares) {
+void share_out(size_t count, int threads, PairView pairs, PairView walls, PairView surfaces, Shares &shares) {
   const auto parts = static_cast<size_t>(threads);
   std::vector<uint32_t> crossing;  // places of pairs across two runs
   shares.of_thread.resize(parts);
@@ -29,6 +29,8 @@ void share_out(size_t count, int threads, PairView pairs, PairView walls, Shares
     share.last_pair = first_with(pairs, share.last_body);
     share.first_wall = first_with(walls, share.first_body);
     share.last_wall = first_with(walls, share.last_body);
+    share.first_surface = first_with(surfaces, share.first_body);
+    share.last_surface = first_with(surfaces, share.last_body);
     if (share.last_body == count) continue;
     for (size_t p = share.first_pair; p < share.last_pair; p++) {
       if (static_cast<size_t>(pairs[p].b) >= share.last_body) crossing.push_back(static_cast<uint32_t>(p));

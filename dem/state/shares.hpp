@@ -20,6 +20,7 @@ struct Share {
   size_t first_pair = 0, last_pair = 0;          // in the list
   size_t first_incoming = 0, last_incoming = 0;  // among the copies
   size_t first_wall = 0, last_wall = 0;          // in the list of walls
+  size_t first_surface = 0, last_surface = 0;    // in that of walls beside the box's
 };
 
 struct Shares {
@@ -30,7 +31,7 @@ struct Shares {
   size_t bytes() const { return sizeof(hg_pair) * incoming.capacity() + sizeof(uint32_t) * places.capacity(); }
 };
 
-// `pairs` of `count` particles, and the walls near them, both ascending.
-void share_out(size_t count, int threads, PairView pairs, PairView walls, Shares &shares);
+// `pairs` of `count` particles, and the walls and surfaces near them, all ascending.
+void share_out(size_t count, int threads, PairView pairs, PairView walls, PairView surfaces, Shares &shares);
 
 }  // namespace dem

@@ -101,6 +101,58 @@ bool keys_lie_over_those_of_the_scene() {
 
 void a_stage_says_only_what_differs(void **) { assert_true(keys_lie_over_those_of_the_scene()); }
 
+bool particles_change() {
+  const std::vector<dem::Handover> ends = ends_of_stages(
+      "[[particles]]\nat = [[0, 0, 0], [5, 0, 0], [10, 0, 0]]\nradius = 1\ndensity = 2\n"
+      "[contact]\nstiffness = 1e4\n[[stage]]\nsteps = 1\n"
+      "[[stage]]\nsteps = 1\nremove = [[4, -1, -1], [6, 1, 1]]\n"
+      "[[stage.particles]]\nat = [[0, 7, 0]]\nradius = 2\nvelocity = [0, 0, 3]\n");
+  const dem::ParticleArrays &last = ends[1].particles;
+  return ends[0].particles.count() == 3 && last.radii == std::vector<double>{1, 1, 2} && last.centers[3] == 10 &&
+         last.centers[7] == 7 && last.velocities == std::vector<double>{0, 0, 0, 0, 0, 0, 0, 0, 3} &&
+         near(last.masses[1], 8 * bodies::kPi / 3);
+}
+
+void particles_go_and_come_where_stages_meet(void **) { assert_true(particles_change()); }
+
+// All of one material at first, which leaves one law for all; then another comes in.
+bool materials_go_along() {
+  const std::string path = write_file(
+      "[[material]]\nname = \"glass\"\nstiffness = 1e4\n[[material]]\nname = \"steel\"\nstiffness = 2e4\n"
+      "[[particles]]\nat = [[0, 0, 0], [5, 0, 0]]\nradius = 1\nmaterial = \"glass\"\n"
+      "[[stage]]\nsteps = 1\n[[stage]]\nsteps = 1\n"
+      "[[stage.particles]]\nat = [[0, 7, 0]]\nradius = 1\nmaterial = \"steel\"\n");
+  const scene::StagedScene stages(path);
+  std::filesystem::remove(path);
+  const scene::Scene first = stages.first();
+  const auto engine = dem::make_engine(first.setup);
+  engine->run(1);
+  const dem::Setup second = stages.after(first, engine->hand_over()).setup;
+  return first.setup.effects == 0 && second.effects == dem::kMaterials &&
+         second.material_ids == std::vector<uint8_t>{0, 0, 1};
+}
+
+void materials_go_along_from_stage_to_stage(void **) { assert_true(materials_go_along()); }
+
+// What is left without the second of three particles, and what its contacts remember.
+bool contacts_stay_with_their_particles() {
+  dem::Handover all;
+  all.particles.centers = {0, 1, 2, 3, 4, 5};
+  all.particles.radii = {1, 2, 3};
+  all.beginning.pairs.pairs = {{0, 1}, {0, 2}, {1, 2}};
+  all.beginning.pairs.rows[0] = {1, 2, 3, 4, 5, 6};
+  all.beginning.walls.pairs = {{1, 0}, {2, 3}};
+  all.beginning.walls.rows[0] = {7, 8, 9, 10};
+  const dem::Handover rest = dem::without(all, {false, true, false});
+  const dem::ContactMemory &pairs = rest.beginning.pairs, &walls = rest.beginning.walls;
+  return rest.particles.centers == std::vector<double>{0, 1, 4, 5} &&
+         rest.particles.radii == std::vector<double>{1, 3} && pairs.pairs.size() == 1 && pairs.pairs[0].a == 0 &&
+         pairs.pairs[0].b == 1 && pairs.rows[0] == std::vector<double>{3, 4} && walls.pairs.size() == 1 &&
+         walls.pairs[0].a == 1 && walls.pairs[0].b == 3 && walls.rows[0] == std::vector<double>{9, 10};
+}
+
+void who_stays_keeps_its_contacts(void **) { assert_true(contacts_stay_with_their_particles()); }
+
 // A dense gas with everything that contacts remember. Without dashpots, since these take velocities half a step old,
 // but at the beginning those of the time.
 dem::Setup rough_setup(int dimension) {
@@ -213,6 +265,9 @@ int main() {
   const CMUnitTest tests[] = {
       cmocka_unit_test(each_stage_has_effects_and_steps_of_its_own),
       cmocka_unit_test(a_stage_says_only_what_differs),
+      cmocka_unit_test(particles_go_and_come_where_stages_meet),
+      cmocka_unit_test(materials_go_along_from_stage_to_stage),
+      cmocka_unit_test(who_stays_keeps_its_contacts),
       cmocka_unit_test(a_stage_that_changes_nothing_leaves_no_seam),
       cmocka_unit_test(images_stay_where_shear_has_moved_them),
       cmocka_unit_test(faults_of_stages_are_named),

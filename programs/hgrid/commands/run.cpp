@@ -150,6 +150,7 @@ class Run {
       if (!std::isfinite(m.energy()))
         throw particles::Error("the energy is not finite at step " + std::to_string(step));
       if (row) recorder_.measurement(step, m);
+      if (row) recorder_.walls(step, m.time, engine_.walls_now());
       look(step, m);
       if (shows) line_.show(step, m);
     }

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: The libhgrid developers
+// SPDX-License-Identifier: BSD-3-Clause
+// Forces of walls beside those of the box on the particles that reach them.
+#include "dem/kernels/surface_kernel.hpp"
+
+#include "dem/effects/choice.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace dem {
+namespace {
+
+// Moves an entry of what was remembered to another place of the list, and where that belongs.
+template <int D>
+void rename_place(Remembered<D, double> &before, size_t entry, uint32_t place) {
+  const auto swap_entries = [&](size_t a, size_t b) {
+    std::swap(before.places[a], before.places[b]);
+    for (auto &rows : before.rows) {
+      if (!rows.empty()) std::swap(rows[a], rows[b]);
+    }
+  };
+  before.places[entry] = place;
+  for (; entry > 0 && before.places[entry - 1] > place; entry--) swap_entries(entry, entry - 1);
+  for (; entry + 1 < before.places.size() && before.places[entry + 1] < place; entry++) swap_entries(entry, entry + 1);
+}
+
+// Where a particle goes on from one triangle of a mesh to the next, what the contact remembers goes along: it is taken
+// from a triangle that is still touched but has ceased to count.
+template <int D>
+void follow_over_edges(const Surfaces<D> &surfaces, const std::vector<SurfaceTouch<D>> &touches,
+                       History<D, double> &history) {
+  const PairView list = surfaces.pairs();
+  const auto wall_of = [&](size_t place) { return surfaces.surfaces()[static_cast<size_t>(list[place].b)].wall; };
+  Remembered<D, double> &before = history.before;
+  const auto entry_of = [&](size_t place) {
+    const auto from = before.places.begin() + static_cast<std::ptrdiff_t>(history.next);
+    const auto found = std::lower_bound(from, before.places.end(), place);
+    return found != before.places.end() && *found == place ? static_cast<size_t>(found - before.places.begin())
+                                                           : before.places.size();
+  };
+  for (const SurfaceTouch<D> &now : touches) {
+    if (!now.counts || entry_of(now.place) < before.places.size()) continue;
+    for (const SurfaceTouch<D> &former : touches) {
+      const size_t entry = former.counts ? before.places.size() : entry_of(former.place);
+      if (entry == before.places.size() || wall_of(former.place) != wall_of(now.place)) continue;
+      rename_place(before, entry, static_cast<uint32_t>(now.place));
+      break;
+    }
+  }
+}
+
+template <EffectSet E, int D>
+const ContactLaw<double> &surface_law(const SurfaceTask<D> &task, [[maybe_unused]] size_t i,
+                                      [[maybe_unused]] const Surface<D> &surface) {
+  if constexpr (has(E, kMaterials)) return task.laws[task.bodies->materials[i] * task.law_row + surface.material];
+  return *task.laws;
+}
+
+template <EffectSet E, int D>
+void touch_force(const SurfaceTask<D> &task, const SurfaceTouch<D> &touch, History<D, double> *history) {
+  Bodies<D, double> &bodies = *task.bodies;
+  const hg_pair &pair = task.surfaces->pairs()[touch.place];
+  const auto i = static_cast<size_t>(pair.a);
+  const Surface<D> &surface = task.surfaces->surfaces()[static_cast<size_t>(pair.b)];
+  const WallPose<D> &pose = task.surfaces->pose_of(surface);
+  const double arm = touch.nearest.distance;
+  const Vec<D, double> point = bodies.position(i) + arm * touch.nearest.normal;
+  Contact<D, double> contact;
+  contact.overlap = bodies.radius(i) - touch.nearest.distance;
+  contact.normal = touch.nearest.normal;
+  if constexpr (has(E, kNeedMass)) contact.inverse_mass = bodies.inverse_mass(i);
+  if constexpr (has(E, kNeedRadius)) contact.inverse_radius = 1 / bodies.radius(i);
+  if constexpr (has(E, kModulus) && has(E, kMaterials)) contact.inverse_length = contact.inverse_radius;
+  if constexpr (has(E, kNeedVelocity)) contact.velocity = bodies.velocity(i) - pose.velocity_at(point);
+  if constexpr (has(E, kFriction)) contact.turning = arm * bodies.spin(i);
+  if constexpr (has(E, kRolling)) contact.spin = bodies.spin(i) - pose.spin;
+  const ContactForce<D, double> on_body =
+      contact_force<E>(surface_law<E, D>(task, i, surface), contact, history, task.step, touch.place);
+  bodies.force(i) += on_body.force;
+  if constexpr (has(E, kFriction)) bodies.torque(i) += arm * on_body.moment;
+  if constexpr (has(E, kRolling)) bodies.torque(i) += on_body.rolling;
+  SurfacePush<D> &push = task.surfaces->pushes()[touch.place];
+  push.force = on_body.force;
+  push.torque = moment<D, double>(Vec<D, double>(point - pose.pivot), on_body.force);
+  if constexpr (has(E, kRolling)) push.torque += on_body.rolling;
+}
+
+template <EffectSet E, int D>
+void surface_forces(const SurfaceTask<D> &task, size_t first, size_t last, History<D, double> *history) {
+  const Bodies<D, double> &bodies = *task.bodies;
+  const PairView list = task.surfaces->pairs();
+  std::vector<SurfaceTouch<D>> touches;
+  if constexpr (has(E, effects_with_history())) history->begin_pass();
+  while (first < last) {
+    const auto i = static_cast<size_t>(list[first].a);
+    size_t end = first + 1;
+    while (end < last && list[end].a == list[first].a) end++;
+    find_touches<D>(task.surfaces->surfaces(), list.data(), first, end, bodies.position(i), bodies.radius(i),
+                    task.range, touches);
+    if constexpr (has(E, effects_with_history())) follow_over_edges<D>(*task.surfaces, touches, *history);
+    for (const SurfaceTouch<D> &touch : touches) {
+      if (touch.counts) touch_force<E, D>(task, touch, history);
+    }
+    first = end;
+  }
+}
+
+}  // namespace
+
+template <int D>
+SurfaceKernel<D> find_surface_kernel(EffectSet effects) {
+  return choose<kContactEffects, double>(effects, [](auto set) { return &surface_forces<decltype(set)::value, D>; });
+}
+
+template SurfaceKernel<2> find_surface_kernel(EffectSet);
+template SurfaceKernel<3> find_surface_kernel(EffectSet);
+
+}  // namespace dem
