@@ -28,7 +28,9 @@ class LinearAxis {
       if ((high_ - low_) / (factor * power) <= 6) step = factor * power;
     }
     std::vector<double> result;
-    for (double k = std::ceil(low_ / step - 1e-9); k * step <= high_ + 1e-9 * step; k++) result.push_back(k * step);
+    const auto first = static_cast<long>(std::ceil(low_ / step - 1e-9)),
+               last = static_cast<long>(std::floor(high_ / step + 1e-9));
+    for (long k = first; k <= last; k++) result.push_back(static_cast<double>(k) * step);
     return result;
   }
 

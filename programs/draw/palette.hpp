@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdio>
+#include <cstdlib>
 #include <iterator>
 #include <string>
 
@@ -51,9 +51,9 @@ inline std::string series_color(size_t series) { return kSeriesColors[series % s
 
 // The same for words, dark enough to be read on white.
 inline std::string series_ink(size_t series) {
-  unsigned red = 0, green = 0, blue = 0;
-  std::sscanf(series_color(series).c_str(), "#%2x%2x%2x", &red, &green, &blue);
-  return color_text(darker({static_cast<double>(red), static_cast<double>(green), static_cast<double>(blue)}));
+  const unsigned long color = std::strtoul(series_color(series).c_str() + 1, nullptr, 16);
+  const auto part = [color](int shift) { return static_cast<double>(color >> shift & 255u); };
+  return color_text(darker({part(16), part(8), part(0)}));
 }
 
 }  // namespace draw

@@ -89,8 +89,9 @@ std::vector<double> spread(const std::vector<double> &heights, double lowest) {
       moved[order[k + 1]] += lacks / 2;
     }
   }
-  for (size_t k = order.size(); k-- > 0; lowest = moved[order[k]] - kRow) {
+  for (size_t k = order.size(); k-- > 0;) {
     moved[order[k]] = std::min(moved[order[k]], lowest);
+    lowest = moved[order[k]] - kRow;
   }
   return moved;
 }

@@ -14,8 +14,6 @@
 #include <filesystem>
 #include <vector>
 
-extern char **environ;
-
 namespace command {
 namespace {
 
@@ -56,6 +54,7 @@ void render(const std::string &scene_file, const std::string &picture, int width
                                     "-D",
                                     "+FN8"};
   std::vector<char *> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string &word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const FileActions actions(log);

@@ -19,6 +19,7 @@ constexpr double kRow = 19;
 
 std::vector<double> values_of(const std::vector<Point> &points, double Point::*value) {
   std::vector<double> values;
+  values.reserve(points.size());
   for (const Point &point : points) values.push_back(point.*value);
   return values;
 }
