@@ -195,13 +195,13 @@ std::vector<ContactLoad<D>> contact_loads(const Setup &setup, const Boundary<D, 
   return loads;
 }
 
-#define DEM_INSTANTIATE(D)                                                                                         \
-  template SurfaceMotion<D> surface_motion(const Snapshot &, const ContactLoad<D> &);                              \
-  template std::vector<ContactLoad<D>> contact_loads(const Setup &, const Boundary<D, double> &, const Snapshot &, \
-                                                     const ContactState<D> &, const ContactState<D> &,             \
-                                                     const SurfaceState<D> &);
-
-DEM_INSTANTIATE(2)
-DEM_INSTANTIATE(3)
+template SurfaceMotion<2> surface_motion(const Snapshot &, const ContactLoad<2> &);
+template std::vector<ContactLoad<2>> contact_loads(const Setup &, const Boundary<2, double> &, const Snapshot &,
+                                                   const ContactState<2> &, const ContactState<2> &,
+                                                   const SurfaceState<2> &);
+template SurfaceMotion<3> surface_motion(const Snapshot &, const ContactLoad<3> &);
+template std::vector<ContactLoad<3>> contact_loads(const Setup &, const Boundary<3, double> &, const Snapshot &,
+                                                   const ContactState<3> &, const ContactState<3> &,
+                                                   const SurfaceState<3> &);
 
 }  // namespace dem

@@ -62,11 +62,9 @@ Work without_springs(Work work, const std::vector<ContactLoad<D>> &loads) {
   return work;
 }
 
-#define DEM_INSTANTIATE(D)                                                                                        \
-  template Work power_of(const Setup &, const Snapshot &, const Snapshot &, const std::vector<ContactLoad<D>> &); \
-  template Work without_springs(Work, const std::vector<ContactLoad<D>> &);
-
-DEM_INSTANTIATE(2)
-DEM_INSTANTIATE(3)
+template Work power_of(const Setup &, const Snapshot &, const Snapshot &, const std::vector<ContactLoad<2>> &);
+template Work without_springs(Work, const std::vector<ContactLoad<2>> &);
+template Work power_of(const Setup &, const Snapshot &, const Snapshot &, const std::vector<ContactLoad<3>> &);
+template Work without_springs(Work, const std::vector<ContactLoad<3>> &);
 
 }  // namespace dem
