@@ -10,6 +10,7 @@
 extern "C" {
 [[gnu::weak]] int omp_get_max_threads(void);
 [[gnu::weak]] int omp_get_thread_num(void);
+// NOLINTNEXTLINE(readability-identifier-naming)
 [[gnu::weak]] void GOMP_parallel(void (*region)(void *), void *data, unsigned threads, unsigned flags);
 }
 #endif
@@ -20,7 +21,7 @@ namespace hg::host_openmp {
 
 namespace {
 
-const long loaded_in = process_id();
+const long kLoadedIn = process_id();
 
 bool is_there() { return omp_get_max_threads != nullptr && omp_get_thread_num != nullptr && GOMP_parallel != nullptr; }
 
@@ -31,7 +32,7 @@ void region(void *tasks) { static_cast<SharedTasks *>(tasks)->work(omp_get_threa
 int most_threads() noexcept { return is_there() ? omp_get_max_threads() : 0; }
 
 bool run(int threads, SharedTasks &tasks) noexcept {
-  if (!is_there() || process_id() != loaded_in) return false;
+  if (!is_there() || process_id() != kLoadedIn) return false;
   GOMP_parallel(region, &tasks, static_cast<unsigned>(threads), 0);
   return true;
 }

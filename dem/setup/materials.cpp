@@ -18,7 +18,7 @@ void check_numbers(const Setup &setup, const ContactParameters &numbers, const c
   for (const Parameter &parameter : kParameters) {
     if (parameter.*key == nullptr || !is_on(parameter.effect, setup.effects)) continue;
     const std::string fault = fault_of(parameter, physics);
-    if (!fault.empty()) throw Error(std::string(parameter.*key) + " of " + of + " " + fault);
+    if (!fault.empty()) throw Error(std::string(parameter.*key).append(" of ").append(of).append(" ").append(fault));
   }
 }
 

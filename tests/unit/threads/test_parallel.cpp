@@ -42,6 +42,7 @@ void check_callers(uint64_t seed) {
   constexpr int kCallers = 20, kRounds = 20;
   std::vector<int> wrong(kCallers, 0);
   std::vector<std::thread> callers;
+  callers.reserve(kCallers);
   for (int caller = 0; caller < kCallers; caller++) {
     callers.emplace_back([&, caller] {
       Rng rng(seed + static_cast<uint64_t>(caller));
