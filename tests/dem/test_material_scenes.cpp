@@ -100,7 +100,8 @@ void faults_of_materials_are_named(void **) {
   assert_true(is_refused(kSpheres + kGlass + "[[material]]\ndensity = 1\n", ":16: material.name: each material needs"));
   assert_true(is_refused(kSpheres + kGlass + "[[material]]\nname = \"steel\"\nstiffness = -1\n",
                          ":18: material.stiffness: lies above 0, not at -1"));
-  assert_true(is_refused("[[particles]]\nat = [[0, 0, 0]]\nradius = 1\nmaterial = \"glass\"\ndensity = 3\n" + kGlass,
+  assert_true(is_refused("[[particles]]\nat = [[0, 0, 0]]\nradius = 1\nmaterial = \"glass\"\ndensity = 3\n" + kGlass +
+                             "[time]\nsteps = 1\n",
                          ":5: particles.density: stands in the material of the group"));
   assert_true(is_refused(scene_text::kBasic + "[box]\nmax = [9, 9, 9]\nmaterial = \"glass\"\n",
                          ":11: box.material: the scene has no [[material]]"));
