@@ -298,7 +298,8 @@ void Simulation<D, Real>::cross_sheared_faces() {
 template <int D, class Real>
 size_t Simulation<D, Real>::state_bytes() const {
   return sizeof places_.front() * places_.size() + bodies_.bytes() + room_.bytes() + shares_.bytes() +
-         pair_history_.bytes() + wall_history_.bytes() + sizeof(hg_pair) * walls_.capacity();
+         pair_history_.bytes() + wall_history_.bytes() + sizeof(hg_pair) * walls_.capacity() +
+         surface_history_.bytes() + surfaces_.bytes();
 }
 
 template class Simulation<2, double>;

@@ -63,15 +63,8 @@ struct Lanes {
     _mm_storeu_si128(reinterpret_cast<__m128i *>(to), _mm_add_epi32(_mm_set1_epi32(static_cast<int>(first)), from));
   }
 
-  // x_b - x_a, y_b - y_a, z_b - z_a and r_b + r_a: rows are subtracted, then turned into columns.
-  DEM_LANES static void columns(const Row<double> *places, const hg_pair *pairs, Number &x, Number &y, Number &z,
-                                Number &touching) {
-    const __m256d minus = _mm256_setr_pd(-0.0, -0.0, -0.0, 0.0);
-    __m256d rows[kCount];
-    for (size_t k = 0; k < kCount; k++) {
-      const __m256d a = _mm256_load_pd(places[pairs[k].a].numbers), b = _mm256_load_pd(places[pairs[k].b].numbers);
-      rows[k] = _mm256_add_pd(b, _mm256_xor_pd(a, minus));
-    }
+  // Rows of four numbers as columns.
+  DEM_LANES static void turn(const __m256d (&rows)[kCount], Number &x, Number &y, Number &z, Number &touching) {
     const __m256d xz = _mm256_unpacklo_pd(rows[0], rows[1]), late_xz = _mm256_unpacklo_pd(rows[2], rows[3]);
     const __m256d yr = _mm256_unpackhi_pd(rows[0], rows[1]), late_yr = _mm256_unpackhi_pd(rows[2], rows[3]);
     x = _mm256_permute2f128_pd(xz, late_xz, 0x20);

@@ -42,15 +42,8 @@ struct Lanes {
                         _mm256_maskz_compress_epi32(static_cast<__mmask8>(hit), places));
   }
 
-  // x_b - x_a, y_b - y_a, z_b - z_a and r_b + r_a: rows are subtracted, then turned into columns.
-  DEM_LANES static void columns(const Row<double> *places, const hg_pair *pairs, Number &x, Number &y, Number &z,
-                                Number &touching) {
-    const __m256d minus = _mm256_setr_pd(-0.0, -0.0, -0.0, 0.0);
-    __m256d rows[kCount];
-    for (size_t k = 0; k < kCount; k++) {
-      const __m256d a = _mm256_load_pd(places[pairs[k].a].numbers), b = _mm256_load_pd(places[pairs[k].b].numbers);
-      rows[k] = _mm256_add_pd(b, _mm256_xor_pd(a, minus));
-    }
+  // Rows of four numbers as columns.
+  DEM_LANES static void turn(const __m256d (&rows)[kCount], Number &x, Number &y, Number &z, Number &touching) {
     const __m512d even = joined(rows[0], rows[2]), odd = joined(rows[1], rows[3]);
     const __m512d late_even = joined(rows[4], rows[6]), late_odd = joined(rows[5], rows[7]);
     const __m512d xz = _mm512_unpacklo_pd(even, odd), late_xz = _mm512_unpacklo_pd(late_even, late_odd);

@@ -27,20 +27,17 @@ struct ContactTask {
   RoughKernel<D, Real> rough_kernel = nullptr;  // of those with friction
 };
 
-// The law of particle i with another, or with a wall whose materials the boundary knows.
-template <EffectSet E, int D, class Real>
-const ContactLaw<Real> &pair_law(const ContactTask<D, Real> &task, [[maybe_unused]] size_t i,
-                                 [[maybe_unused]] size_t other) {
+// The law of particle i with a partner; material_of_partner() is asked only where there are several materials.
+template <EffectSet E, class Task, class Material>
+const auto &law_with(const Task &task, [[maybe_unused]] size_t i, [[maybe_unused]] Material material_of_partner) {
   if constexpr (has(E, kMaterials))
-    return task.laws[task.bodies->materials[i] * task.law_row + task.bodies->materials[other]];
-  return *task.laws;
+    return task.laws[task.bodies->materials[i] * task.law_row + material_of_partner()];
+  else
+    return *task.laws;
 }
-template <EffectSet E, int D, class Real>
-const ContactLaw<Real> &wall_law(const ContactTask<D, Real> &task, [[maybe_unused]] size_t i,
-                                 [[maybe_unused]] int32_t wall) {
-  if constexpr (has(E, kMaterials))
-    return task.laws[task.bodies->materials[i] * task.law_row + task.boundary->materials[wall]];
-  return *task.laws;
+template <EffectSet E, class Task>
+const auto &pair_law(const Task &task, size_t i, size_t other) {
+  return law_with<E>(task, i, [&] { return task.bodies->materials[other]; });
 }
 
 // Pairs of a list, what the contacts among them remember, and the particles that get forces.

@@ -4,6 +4,8 @@
 #include "dem/kernels/surface_kernel.hpp"
 
 #include "dem/effects/choice.hpp"
+#include "dem/kernels/contact_kernel.hpp"
+#include "dem/kernels/wall_contact.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -52,13 +54,6 @@ void follow_over_edges(const Surfaces<D> &surfaces, const std::vector<SurfaceTou
 }
 
 template <EffectSet E, int D>
-const ContactLaw<double> &surface_law(const SurfaceTask<D> &task, [[maybe_unused]] size_t i,
-                                      [[maybe_unused]] const Surface<D> &surface) {
-  if constexpr (has(E, kMaterials)) return task.laws[task.bodies->materials[i] * task.law_row + surface.material];
-  return *task.laws;
-}
-
-template <EffectSet E, int D>
 void touch_force(const SurfaceTask<D> &task, const SurfaceTouch<D> &touch, History<D, double> *history) {
   Bodies<D, double> &bodies = *task.bodies;
   const hg_pair &pair = task.surfaces->pairs()[touch.place];
@@ -70,17 +65,12 @@ void touch_force(const SurfaceTask<D> &task, const SurfaceTouch<D> &touch, Histo
   Contact<D, double> contact;
   contact.overlap = bodies.radius(i) - touch.nearest.distance;
   contact.normal = touch.nearest.normal;
-  if constexpr (has(E, kNeedMass)) contact.inverse_mass = bodies.inverse_mass(i);
-  if constexpr (has(E, kNeedRadius)) contact.inverse_radius = 1 / bodies.radius(i);
-  if constexpr (has(E, kModulus) && has(E, kMaterials)) contact.inverse_length = contact.inverse_radius;
-  if constexpr (has(E, kNeedVelocity)) contact.velocity = bodies.velocity(i) - pose.velocity_at(point);
-  if constexpr (has(E, kFriction)) contact.turning = arm * bodies.spin(i);
-  if constexpr (has(E, kRolling)) contact.spin = bodies.spin(i) - pose.spin;
-  const ContactForce<D, double> on_body =
-      contact_force<E>(surface_law<E, D>(task, i, surface), contact, history, task.step, touch.place);
-  bodies.force(i) += on_body.force;
-  if constexpr (has(E, kFriction)) bodies.torque(i) += arm * on_body.moment;
-  if constexpr (has(E, kRolling)) bodies.torque(i) += on_body.rolling;
+  describe_with_wall<E>(bodies, i, arm, contact);
+  if constexpr (has(E, kNeedVelocity)) contact.velocity -= pose.velocity_at(point);
+  if constexpr (has(E, kRolling)) contact.spin -= pose.spin;
+  const auto &law = law_with<E>(task, i, [&] { return surface.material; });
+  const ContactForce<D, double> on_body = contact_force<E>(law, contact, history, task.step, touch.place);
+  add_wall_force<E>(bodies, i, arm, on_body);
   SurfacePush<D> &push = task.surfaces->pushes()[touch.place];
   push.force = on_body.force;
   push.torque = moment<D, double>(Vec<D, double>(point - pose.pivot), on_body.force);

@@ -22,6 +22,18 @@ DEM_LANES inline Number nearest(const Boundary<D, double> &boundary, int axis, N
   return Lanes::sub(separation, Lanes::mul(Lanes::set(boundary.period[axis]), crossed));
 }
 
+// x_b - x_a, y_b - y_a, z_b - z_a and r_b + r_a: rows are subtracted, then turned into columns.
+DEM_LANES inline void columns(const Row<double> *places, const hg_pair *pairs, Number &x, Number &y, Number &z,
+                              Number &touching) {
+  const __m256d minus = _mm256_setr_pd(-0.0, -0.0, -0.0, 0.0);
+  __m256d rows[Lanes::kCount];
+  for (size_t k = 0; k < Lanes::kCount; k++) {
+    const __m256d a = _mm256_load_pd(places[pairs[k].a].numbers), b = _mm256_load_pd(places[pairs[k].b].numbers);
+    rows[k] = _mm256_add_pd(b, _mm256_xor_pd(a, minus));
+  }
+  Lanes::turn(rows, x, y, z, touching);
+}
+
 DEM_LANES inline Number squared(Number x, Number y, Number z) {
   return Lanes::add(Lanes::add(Lanes::mul(x, x), Lanes::mul(y, y)), Lanes::mul(z, z));
 }
@@ -57,7 +69,7 @@ DEM_ENTRY size_t fill(const BatchTask<D, double> &task, size_t next, size_t last
       there = (1u << (last - next)) - 1;
     }
     Number x, y, z, touching;
-    Lanes::columns(task.places, pairs, x, y, z, touching);
+    columns(task.places, pairs, x, y, z, touching);
     if constexpr (has(E, kPeriodic)) {
       x = nearest(*task.boundary, 0, x);
       y = nearest(*task.boundary, 1, y);

@@ -3,6 +3,7 @@
 // Forces of the box's walls on the particles that reach them.
 #include "dem/effects/choice.hpp"
 #include "dem/kernels/contact_kernel.hpp"
+#include "dem/kernels/wall_contact.hpp"
 
 namespace dem {
 namespace {
@@ -18,18 +19,10 @@ bool wall_force(const ContactTask<D, Real> &task, const PairRun<D, Real> &run, s
   if (!(contact.overlap > -task.range)) return false;
   contact.normal = Vec<D, Real>::Zero();
   contact.normal[axis_of(wall)] = is_upper(wall) ? Real(1) : Real(-1);
-  if constexpr (has(E, kNeedMass)) contact.inverse_mass = bodies.inverse_mass(i);
-  if constexpr (has(E, kNeedRadius)) contact.inverse_radius = 1 / bodies.radius(i);
-  if constexpr (has(E, kModulus) && has(E, kMaterials)) contact.inverse_length = contact.inverse_radius;
-  if constexpr (has(E, kNeedVelocity)) contact.velocity = bodies.velocity(i);
-  [[maybe_unused]] const Real arm = bodies.radius(i) - contact.overlap;
-  if constexpr (has(E, kFriction)) contact.turning = arm * bodies.spin(i);
-  if constexpr (has(E, kRolling)) contact.spin = bodies.spin(i);
-  const ContactForce<D, Real> on_body =
-      contact_force<E>(wall_law<E>(task, i, wall), contact, run.history, task.step, p);
-  bodies.force(i) += on_body.force;
-  if constexpr (has(E, kFriction)) bodies.torque(i) += arm * on_body.moment;
-  if constexpr (has(E, kRolling)) bodies.torque(i) += on_body.rolling;
+  const Real arm = bodies.radius(i) - contact.overlap;
+  describe_with_wall<E>(bodies, i, arm, contact);
+  const auto &law = law_with<E>(task, i, [&] { return task.boundary->materials[wall]; });
+  add_wall_force<E>(bodies, i, arm, contact_force<E>(law, contact, run.history, task.step, p));
   return true;
 }
 

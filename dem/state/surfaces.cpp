@@ -274,6 +274,12 @@ double Surfaces<D>::work() const {
 }
 
 template <int D>
+size_t Surfaces<D>::bytes() const {
+  return sizeof(Surface<D>) * (resting_.capacity() + surfaces_.capacity()) + sizeof(hg_pair) * list_.capacity() +
+         sizeof(SurfacePush<D>) * pushes_.capacity();
+}
+
+template <int D>
 void Surfaces<D>::save(Checkpoint &checkpoint) const {
   if (!empty()) checkpoint.put("walls", states_);
 }

@@ -68,6 +68,7 @@ class Surfaces {
 
   std::vector<WallReport> reports() const;
   double work() const;  // of all walls on particles
+  size_t bytes() const;
 
   void save(Checkpoint &checkpoint) const;
   void restore(const Checkpoint &checkpoint);

@@ -23,6 +23,12 @@ int32_t accuracy_of(const std::string &word) {
 
 }  // namespace
 
+void add_base_option(CLI::App &command, GridOptions &options) {
+  command.add_option("--base", options.index_base, "The number of the first particle of the file in a and b: 0 or 1")
+      ->capture_default_str()
+      ->check(CLI::IsMember({0, 1}));
+}
+
 void add_price_options(CLI::App &command, double &level_price, double &row_price, const std::string &group,
                        CLI::Option *instead) {
   auto *level = command.add_option("--level-price", level_price, "Cost of a level per particle, in tests (fitted)");

@@ -38,6 +38,9 @@ struct GridOptions {
 // --cell-overhead, --level-price, --row-price, --threads. `options` must outlive the parse.
 void add_grid_options(CLI::App &command, GridOptions &options);
 
+// Adds --base, of commands that write pairs.
+void add_base_option(CLI::App &command, GridOptions &options);
+
 // Adds --level-price and --row-price, the prices of `hgrid calibrate`, which do not go with `instead`.
 void add_price_options(CLI::App &command, double &level_price, double &row_price, const std::string &group,
                        CLI::Option *instead);

@@ -231,10 +231,7 @@ void add_rank_pairs(CLI::App &parent) {
                       "Where the contacts go: CSV with the columns a,b, a < b, ascending; - for standard output")
           ->capture_default_str();
   command.add_flag("--count", options->count_only, "Only count them, and tell what each rank has")->excludes(output);
-  command
-      .add_option("--base", options->grid.index_base, "The number of the first particle of the file in a and b: 0 or 1")
-      ->capture_default_str()
-      ->check(CLI::IsMember({0, 1}));
+  add_base_option(command, options->grid);
   command.footer(
       "The first rank reads and writes; particles are dealt out by bisection, as hgrid-mpi plan does.\n"
       "Example:\n"

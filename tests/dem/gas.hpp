@@ -55,4 +55,14 @@ inline void make_periodic(dem::Setup &setup) {
   for (int k = 0; k < setup.dimension; k++) set_periodic(setup, k, setup.box_min[k], setup.box_max[k]);
 }
 
+// With the images above moving at `rate` times the edge; velocities are without its profile.
+inline dem::Setup make_sheared_gas(Gas gas, double rate, uint64_t seed) {
+  gas.effects |= dem::kShear;
+  dem::Setup setup = make_gas(gas, seed);
+  make_periodic(setup);
+  setup.shear_rate = rate;
+  set_steps_per_contact(setup, 50);
+  return setup;
+}
+
 }  // namespace bodies

@@ -91,12 +91,7 @@ dem::Setup sheared_setup() {
   bodies::Gas gas;
   gas.edge = 6;
   gas.spacing = 2.02;
-  gas.effects = dem::kShear;
-  dem::Setup setup = bodies::make_gas(gas, kSeed);
-  bodies::make_periodic(setup);
-  setup.shear_rate = 1.5;
-  bodies::set_steps_per_contact(setup, 50);
-  return setup;
+  return bodies::make_sheared_gas(gas, 1.5, kSeed);
 }
 
 bool same_with_skins(dem::Setup setup) {

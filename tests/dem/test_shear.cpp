@@ -26,12 +26,8 @@ dem::Setup sheared_gas(double rate, double largest = 1) {
   gas.spacing = 2.0;
   gas.largest = largest;
   gas.temperature = 1;
-  gas.effects = dem::kShear;
-  dem::Setup setup = bodies::make_gas(gas, kSeed);
-  bodies::make_periodic(setup);
-  setup.shear_rate = rate;
+  dem::Setup setup = bodies::make_sheared_gas(gas, rate, kSeed);
   for (size_t i = 0; i < setup.count(); i++) setup.velocities[3 * i] += rate * (setup.centers[3 * i + 1] - 6);
-  bodies::set_steps_per_contact(setup, 50);
   return setup;
 }
 

@@ -226,12 +226,7 @@ double seam_of_shear() {
   bodies::Gas gas;
   gas.edge = 5;
   gas.spacing = 2.02;
-  gas.effects = dem::kShear;
-  dem::Setup setup = bodies::make_gas(gas, kSeed);
-  bodies::make_periodic(setup);
-  setup.shear_rate = 1.5;
-  bodies::set_steps_per_contact(setup, 50);
-  return seam(setup).with_memory;
+  return seam(bodies::make_sheared_gas(gas, 1.5, kSeed)).with_memory;
 }
 
 void images_stay_where_shear_has_moved_them(void **) { assert_true(seam_of_shear() < 1e-10); }

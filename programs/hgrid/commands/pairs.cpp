@@ -223,10 +223,7 @@ void add_pairs(CLI::App &parent) {
   command.add_flag("--count", options->count_only, "Only count them, and tell the time it took")
       ->excludes(output)
       ->excludes(columns);
-  command
-      .add_option("--base", options->grid.index_base, "The number of the first particle of the file in a and b: 0 or 1")
-      ->capture_default_str()
-      ->check(CLI::IsMember({0, 1}));
+  add_base_option(command, options->grid);
   command.footer(
       "a and b are the places of the particles in the file, the first being 0 (or 1 with --base 1).\n"
       "Spheres that exactly touch are no contact, unless --touching says so. Each contact stands on one line; with\n"
