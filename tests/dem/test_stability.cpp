@@ -83,7 +83,7 @@ double exact_load(const dem::Setup &setup, const dem::Snapshot &state) {
       const double gamma = -2 * log_e * std::sqrt(k * reduced / (bodies::kPi * bodies::kPi + log_e * log_e));
       const double strength = dt * dt * k + 2 * dt * gamma;
       const Vector normal = away.normalized();
-      Eigen::MatrixXd stretch = Eigen::MatrixXd::Zero(kAll * count, 1);
+      Eigen::VectorXd stretch = Eigen::VectorXd::Zero(kAll * count);
       stretch.block(kAll * i, 0, D, 1) = normal;
       stretch.block(kAll * j, 0, D, 1) = -normal;
       matrix += strength * stretch * stretch.transpose();
@@ -93,14 +93,14 @@ double exact_load(const dem::Setup &setup, const dem::Snapshot &state) {
         stretch.setZero();
         stretch.block(kAll * i, 0, D, 1) = along;
         stretch.block(kAll * j, 0, D, 1) = -along;
-        Eigen::VectorXd turn(kSpin);  // normal x along
+        Eigen::Matrix<double, kSpin, 1> turn;  // normal x along
         if constexpr (D == 3) {
           turn = normal.cross(along);
         } else {
           turn[0] = normal[0] * along[1] - normal[1] * along[0];
         }
-        stretch.block(kAll * i + D, 0, kSpin, 1) = -r * turn;
-        stretch.block(kAll * j + D, 0, kSpin, 1) = -state.radii[static_cast<size_t>(j)] * turn;
+        stretch.template segment<kSpin>(kAll * i + D) = -r * turn;
+        stretch.template segment<kSpin>(kAll * j + D) = -state.radii[static_cast<size_t>(j)] * turn;
         matrix += setup.contact.tangential_stiffness * strength * stretch * stretch.transpose();
       }
     }
