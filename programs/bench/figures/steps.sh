@@ -10,8 +10,8 @@ build=${1:-build} work=${2:-figures-work} output=${3:-$work}
 . "$(dirname "${BASH_SOURCE[0]}")/systems.sh"
 mkdir -p "$output"
 
-# Threads that are moved between cores in the middle of a turn would be timed with their caches cold.
-export OMP_PROC_BIND=true
+# Helpers inherit the cores of the thread that first called the library: bound to one core, none would get another.
+unset OMP_PROC_BIND OMP_PLACES GOMP_CPU_AFFINITY
 
 systems=("mono 1" "uniform-volume 50")
 csvs=()
