@@ -5,15 +5,16 @@
 
 hgrid_build_dir=build
 
-# What the library, the Fortran module, the command and the benchmarks need, and what the tests and Python add.
+# What the library, the Fortran module, the command and the benchmarks need, and what the tests, Python and Lua add.
 # shellcheck disable=SC2034  # the sourcing script uses the lists
 hgrid_build_packages=(gcc g++ gfortran cmake ninja-build pkg-config libcli11-dev libeigen3-dev libgmp-dev
   libpugixml-dev libtomlplusplus-dev zlib1g-dev)
 # shellcheck disable=SC2034  # the sourcing script uses the lists
-hgrid_test_packages=(binutils libcmocka-dev python3 python3-dev python3-numpy swig)
+hgrid_test_packages=(binutils libcmocka-dev liblua5.4-dev lua5.4 python3 python3-dev python3-numpy swig)
 # What the layer for MPI needs (docs/guide/mpi.md), and a second MPI to test it with.
 # shellcheck disable=SC2034  # as above
-hgrid_mpi_packages=(libopenmpi-dev openmpi-bin libtrilinos-zoltan-dev libmpich-dev mpich)
+hgrid_mpi_packages=(libopenmpi-dev openmpi-bin libtrilinos-zoltan-dev libmpich-dev mpich
+  python3-mpi4py)
 # What hgrid_compare can compare the library with and hgrid_parts is made with (docs/evidence/benchmarks.md). Neither ./demo nor
 # ./check asks for these.
 # shellcheck disable=SC2034  # as above
@@ -80,8 +81,8 @@ hgrid_require_packages() {
   hgrid_apt_install "${become_root[@]}" -- "${missing[@]}"
 }
 
-# Configures build/ unless that has been done. With --tests the tests, the Python module and the layer for MPI are part
-# of it; a build that has them keeps them.
+# Configures build/ unless that has been done. With --tests the tests, the modules for Python and Lua and the layer for
+# MPI are part of it; a build that has them keeps them.
 # hgrid_configure [--tests]
 hgrid_configure() {
   local cache=$hgrid_build_dir/CMakeCache.txt whole=OFF
@@ -90,12 +91,13 @@ hgrid_configure() {
   fi
   if [[ -f $hgrid_build_dir/build.ninja ]]; then
     if [[ $whole == OFF ]] ||
-      { grep -q '^HGRID_BUILD_TESTS:[A-Z]*=ON' "$cache" && grep -q '^HGRID_BUILD_MPI:BOOL=ON' "$cache"; }; then
+      { grep -q '^HGRID_BUILD_TESTS:[A-Z]*=ON' "$cache" && grep -q '^HGRID_BUILD_MPI:BOOL=ON' "$cache" &&
+        grep -q '^HGRID_BUILD_LUA:[A-Z]*=ON' "$cache"; }; then
       return
     fi
   fi
   local options=(-DCMAKE_BUILD_TYPE=Release -DHGRID_BUILD_TESTS="$whole" -DHGRID_BUILD_PYTHON="$whole"
-    -DHGRID_BUILD_MPI="$whole")
+    -DHGRID_BUILD_LUA="$whole" -DHGRID_BUILD_MPI="$whole")
   # The packages above are Debian's; a python3 that stands before Debian's on the path does not see them.
   if command -v dpkg-query >/dev/null; then
     options+=(-DPython3_EXECUTABLE=/usr/bin/python3)

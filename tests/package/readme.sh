@@ -3,12 +3,12 @@
 # Takes every fenced block of one language out of a page, builds it against the installed copy and runs it. A block of
 # language "text" right behind it holds what the program prints.
 # PACKAGE in the environment: what pkg-config is asked for, where that is not the package of the language.
-# readme.sh PAGE LANGUAGE WORK_DIR PKGCONFIG_DIR COMPILER_OR_PYTHON [PYTHON_MODULE_DIR]
+# readme.sh PAGE LANGUAGE WORK_DIR PKGCONFIG_DIR COMPILER_OR_INTERPRETER [MODULE_DIR]
 set -eu
 page=$1 language=$2 work=$3 compiler=$5
 export PKG_CONFIG_PATH="$4"
 LD_LIBRARY_PATH=$(pkg-config --variable=libdir hgrid)
-export LD_LIBRARY_PATH PYTHONPATH="${6-}"
+export LD_LIBRARY_PATH PYTHONPATH="${6-}" LUA_CPATH="${6-}/?.so" OCTAVE_PATH="${6-}"
 
 rm -rf "$work"
 mkdir -p "$work"
@@ -39,7 +39,7 @@ build_block() {
   cpp) "$compiler" -std=c++17 -Wall -Wextra -Werror -x c++ "$1" -x none $(pkg-config --cflags --libs hgrid) -o "$2" ;;
   fortran77) "$compiler" -std=legacy -x f77 "$1" -x none $(pkg-config --libs hgrid-f77) -o "$2" ;;
   fortran) "$compiler" -x f95 -ffree-form "$1" -x none $(pkg-config --cflags --libs "${PACKAGE:-hgrid-fortran}") -o "$2" ;;
-  python) printf '#!/bin/sh\nexec "%s" "%s"\n' "$compiler" "$1" >"$2" && chmod +x "$2" ;;
+  python | lua | octave) printf '#!/bin/sh\nexec "%s" "%s"\n' "$compiler" "$1" >"$2" && chmod +x "$2" ;;
   *) echo "no way to run a block of language '$language'" && exit 1 ;;
   esac
 }
