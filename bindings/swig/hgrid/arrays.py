@@ -90,6 +90,13 @@ def numbers(values, name):
     return _fitting(array, name, np.int32)
 
 
+def gids(values, name, count):
+    """`values` as a contiguous int64 array of shape (count,)."""
+    array = np.asarray(values)
+    check_shape(array, name, (count,))
+    return _fitting(array, name, np.int64)
+
+
 def contacts(values, name):
     """`values` as a contiguous array of pairs, int32 of shape (m, 2), or of keys, int64 of shape (m, 3)."""
     array = _rows(values, ("m", 2))
