@@ -97,7 +97,7 @@ hgrid_configure() {
     fi
   fi
   local options=(-DCMAKE_BUILD_TYPE=Release -DHGRID_BUILD_TESTS="$whole" -DHGRID_BUILD_PYTHON="$whole"
-    -DHGRID_BUILD_LUA="$whole" -DHGRID_BUILD_MPI="$whole")
+    -DHGRID_BUILD_LUA="$whole" -DHGRID_BUILD_MPI="$whole" -DHGRID_JOIN_SOURCES=ON)
   # The packages above are Debian's; a python3 that stands before Debian's on the path does not see them.
   if command -v dpkg-query >/dev/null; then
     options+=(-DPython3_EXECUTABLE=/usr/bin/python3)

@@ -19,12 +19,12 @@ struct Run {
 };
 
 // Times are ns per particle; 0 where no step was of that kind.
-struct Row {
+struct SkinRow {
   double skin = 0, mean = 0, searched = 0, filtered = 0, search_share = 0, candidates = 0;
   size_t pairs = 0;
 };
 
-Row row_of(Run &run, size_t count) {
+SkinRow row_of(Run &run, size_t count) {
   const double ns = 1e9 / static_cast<double>(count);
   const double stored = static_cast<double>(run.grid.grid().get_stats().stored_count) / static_cast<double>(count);
   return {
@@ -32,11 +32,11 @@ Row row_of(Run &run, size_t count) {
       stored,   run.grid.pairs().size()};
 }
 
-void write_csv(const std::string &path, const StepOptions &options, const std::vector<Row> &rows) {
+void write_csv(const std::string &path, const StepOptions &options, const std::vector<SkinRow> &rows) {
   particles::Output out(path);
   out << "skin,displacement,steps,ns_per_particle_and_step,search_share,ns_searched,ns_filtered,"
          "stored_per_particle,pairs\n";
-  for (const Row &row : rows) {
+  for (const SkinRow &row : rows) {
     out << row.skin << ',' << options.displacement << ',' << options.steps << ',' << row.mean << ',' << row.search_share
         << ',' << row.searched << ',' << row.filtered << ',' << row.candidates << ',' << row.pairs << '\n';
   }
@@ -62,10 +62,10 @@ void bench_steps(const StepOptions &options, hg_grid_def def, const particles::P
               name.c_str(), particles.count(), options.steps, options.displacement);
   std::printf("%10s %10s %12s %12s %12s %12s %10s\n", "skin", "mean", "searched", "if searched", "if filtered",
               "stored", "pairs");
-  std::vector<Row> rows;
+  std::vector<SkinRow> rows;
   for (Run &run : runs) {
     rows.push_back(row_of(run, particles.count()));
-    const Row &row = rows.back();
+    const SkinRow &row = rows.back();
     std::printf("%10g %10.1f %11.0f%% %12.1f %12.1f %12.2f %10zu\n", row.skin, row.mean, 100 * row.search_share,
                 row.searched, row.filtered, row.candidates, row.pairs);
   }
