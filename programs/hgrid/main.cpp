@@ -43,7 +43,8 @@ void describe(CLI::App &parser) {
       "  hgrid pairs packing.csv --count\n"
       "  hgrid levels packing.csv\n"
       "  hgrid run scenes/bouncing-ball.toml\n"
-      "Exit code: 0 on success, 1 if the work failed, 2 if the command line is wrong.");
+      "Exit code: 0 on success, 1 if the work failed, 2 if the command line is wrong.\n"
+      "Manual, where it is installed: man hgrid, man hgrid-COMMAND; in the sources docs/guide/command.md.");
   command::add_pairs(parser);
   command::add_levels(parser);
   command::add_pack(parser);

@@ -35,7 +35,8 @@ int run(int argc, char **argv, bool speaks) {
       "Examples:\n"
       "  mpirun -n 4 hgrid-mpi pairs packing.csv --output contacts.csv\n"
       "  hgrid-mpi plan packing.csv --ranks 8,64,512,4096\n"
-      "Exit code: 0 on success, 1 if the work failed, 2 if the command line is wrong.");
+      "Exit code: 0 on success, 1 if the work failed, 2 if the command line is wrong.\n"
+      "Manual, where it is installed: man hgrid-mpi, man hgrid-mpi-COMMAND; in the sources docs/guide/mpi.md.");
   command::add_rank_pairs(parser);
   command::add_plan(parser);
   try {
