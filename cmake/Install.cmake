@@ -3,24 +3,41 @@
 # Install rules of the library, its headers, the Fortran module, the CMake package and the pkg-config files.
 # Nothing that is installed knows the prefix: the whole tree may be moved. Folders may be absolute, as Nix has them; then
 # what lies there stays there.
+#
+# Components, for those who install or pack parts: runtime (the libraries of C and FORTRAN 77), fortran, mpi (theirs),
+# development and mpi_development (what compiling needs), tools and mpi_tools (the commands), python, docs.
 include(CMakePackageConfigHelpers)
+
+# hgrid_install_library(<target> <export> <component>): the bare name of a shared library is for the linker only.
+function(hgrid_install_library target export component)
+  set(development development)
+  if(component STREQUAL "mpi")
+    set(development mpi_development)
+  endif()
+  install(TARGETS ${target} EXPORT ${export}
+          RUNTIME COMPONENT ${component}
+          LIBRARY COMPONENT ${component} NAMELINK_COMPONENT ${development}
+          ARCHIVE COMPONENT ${development})
+endfunction()
 
 set(HGRID_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/hgrid)
 set(HGRID_PKGCONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
-install(TARGETS hgrid EXPORT hgridTargets)
+hgrid_install_library(hgrid hgridTargets runtime)
 if(TARGET hgrid_f77)
-  install(TARGETS hgrid_f77 EXPORT hgridTargets)
+  hgrid_install_library(hgrid_f77 hgridTargets runtime)
 endif()
 install(FILES include/hgrid/hgrid.h include/hgrid/base.h include/hgrid/types.h include/hgrid/grid.h
-              include/hgrid/history.h include/hgrid/hgrid.hpp ${PROJECT_BINARY_DIR}/include/hgrid/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hgrid)
-install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/hgrid)
-install(EXPORT hgridTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR})
+              include/hgrid/history.h include/hgrid/hgrid.hpp ${PROJECT_BINARY_DIR}/include/hgrid/version.h
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hgrid
+        COMPONENT development)
+install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/hgrid COMPONENT docs)
+install(EXPORT hgridTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR} COMPONENT development)
 
 if(TARGET hgrid_mpi)
-  install(TARGETS hgrid_mpi EXPORT hgridMpiTargets)
-  install(FILES mpi/include/hgrid/mpi.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hgrid)
-  install(EXPORT hgridMpiTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR})
+  hgrid_install_library(hgrid_mpi hgridMpiTargets mpi)
+  install(FILES mpi/include/hgrid/mpi.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hgrid COMPONENT mpi_development)
+  install(EXPORT hgridMpiTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR} COMPONENT mpi_development)
 endif()
 
 if(TARGET hgrid_fortran)
@@ -37,10 +54,13 @@ list(JOIN HGRID_FORTRAN_INCLUDES "\n" HGRID_FORTRAN_INCLUDES)
 configure_file(cmake/hgrid_all.f90.in cmake/hgrid_all.f90 @ONLY)
 list(TRANSFORM HGRID_FORTRAN_SOURCES PREPEND bindings/fortran/ OUTPUT_VARIABLE HGRID_FORTRAN_FILES)
 if(TARGET hgrid_mpi)
-  list(APPEND HGRID_FORTRAN_FILES bindings/fortran/hgrid_mpi_c.f90 bindings/fortran/hgrid_mpi_particles.f90
-       bindings/fortran/hgrid_mpi.f90)
+  install(FILES bindings/fortran/hgrid_mpi_c.f90 bindings/fortran/hgrid_mpi_particles.f90 bindings/fortran/hgrid_mpi.f90
+          DESTINATION ${HGRID_FORTRAN_SOURCEDIR}
+          COMPONENT mpi_development)
 endif()
-install(FILES ${HGRID_FORTRAN_FILES} ${PROJECT_BINARY_DIR}/cmake/hgrid_all.f90 DESTINATION ${HGRID_FORTRAN_SOURCEDIR})
+install(FILES ${HGRID_FORTRAN_FILES} ${PROJECT_BINARY_DIR}/cmake/hgrid_all.f90
+        DESTINATION ${HGRID_FORTRAN_SOURCEDIR}
+        COMPONENT development)
 
 get_target_property(HGRID_LIBRARY_TYPE hgrid TYPE)
 # For pkg-config: names become -lNAME, paths stay.
@@ -60,10 +80,15 @@ configure_package_config_file(
   PATH_VARS HGRID_FORTRAN_INCLUDEDIR HGRID_FORTRAN_SOURCEDIR
   NO_SET_AND_CHECK_MACRO)
 # Below 1.0 a new minor version may change the interface.
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/hgridConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+set(compatible SameMajorVersion)
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(compatible SameMinorVersion)
+endif()
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/hgridConfigVersion.cmake COMPATIBILITY ${compatible})
 install(FILES ${PROJECT_BINARY_DIR}/cmake/hgridConfig.cmake ${PROJECT_BINARY_DIR}/cmake/hgridConfigVersion.cmake
               cmake/hgridFortran.cmake
-        DESTINATION ${HGRID_PACKAGE_DIR})
+        DESTINATION ${HGRID_PACKAGE_DIR}
+        COMPONENT development)
 
 if(HGRID_LIBRARY_TYPE STREQUAL "STATIC_LIBRARY")
   set(HGRID_PC_LIBS "-lhgrid ${HGRID_RUNTIME_LIBS}")
@@ -115,9 +140,13 @@ foreach(layer IN ITEMS fortran f77 mpi mpi-fortran)
 endforeach()
 foreach(file IN LISTS HGRID_PC_FILES)
   set(name ${file})
+  set(component development)
   if(file MATCHES "mpi")
     string(APPEND name "${HGRID_PC_MPI_FLAVOUR}")
+    set(component mpi_development)
   endif()
   configure_file(cmake/${file}.pc.in cmake/${name}.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/cmake/${name}.pc DESTINATION ${HGRID_PKGCONFIG_DIR})
+  install(FILES ${PROJECT_BINARY_DIR}/cmake/${name}.pc
+          DESTINATION ${HGRID_PKGCONFIG_DIR}
+          COMPONENT ${component})
 endforeach()

@@ -9,13 +9,24 @@ set(HGRID_FORTRAN_INCLUDEDIR ${HGRID_FORTRAN_MODULE_DIR})
 
 set_target_properties(hgrid_fortran PROPERTIES EXPORT_NAME fortran INSTALL_RPATH "$ORIGIN")
 target_include_directories(hgrid_fortran INTERFACE $<INSTALL_INTERFACE:${HGRID_FORTRAN_INCLUDEDIR}>)
-install(TARGETS hgrid_fortran EXPORT hgridFortranTargets)
-install(EXPORT hgridFortranTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR})
+hgrid_install_library(hgrid_fortran hgridFortranTargets fortran)
+install(EXPORT hgridFortranTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR} COMPONENT development)
 
 if(TARGET hgrid_mpi_fortran)
-  install(TARGETS hgrid_mpi_fortran EXPORT hgridMpiFortranTargets)
-  install(EXPORT hgridMpiFortranTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR})
+  hgrid_install_library(hgrid_mpi_fortran hgridMpiFortranTargets mpi)
+  install(EXPORT hgridMpiFortranTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR} COMPONENT mpi_development)
 endif()
 
 get_target_property(hgrid_module_dir hgrid_fortran Fortran_MODULE_DIRECTORY)
-install(DIRECTORY ${hgrid_module_dir}/ DESTINATION ${HGRID_FORTRAN_INCLUDEDIR} FILES_MATCHING PATTERN "*.mod")
+install(DIRECTORY ${hgrid_module_dir}/
+        DESTINATION ${HGRID_FORTRAN_INCLUDEDIR}
+        COMPONENT development
+        FILES_MATCHING
+        PATTERN "*.mod"
+        PATTERN "hgrid_mpi*" EXCLUDE)
+if(TARGET hgrid_mpi_fortran)
+  install(DIRECTORY ${hgrid_module_dir}/
+          DESTINATION ${HGRID_FORTRAN_INCLUDEDIR}
+          COMPONENT mpi_development
+          FILES_MATCHING PATTERN "hgrid_mpi*.mod")
+endif()

@@ -10,7 +10,7 @@ hgrid_build_dir=build
 hgrid_build_packages=(gcc g++ gfortran cmake ninja-build pkg-config libcli11-dev libeigen3-dev libgmp-dev
   libpugixml-dev libtomlplusplus-dev zlib1g-dev)
 # shellcheck disable=SC2034  # the sourcing script uses the lists
-hgrid_test_packages=(binutils libcmocka-dev liblua5.4-dev lua5.4 python3 python3-dev python3-numpy swig)
+hgrid_test_packages=(binutils libcmocka-dev liblua5.4-dev lua5.4 python3 python3-dev python3-numpy python3-yaml swig)
 # What the layer for MPI needs (docs/guide/mpi.md), and a second MPI to test it with.
 # shellcheck disable=SC2034  # as above
 hgrid_mpi_packages=(libopenmpi-dev openmpi-bin libtrilinos-zoltan-dev libmpich-dev mpich

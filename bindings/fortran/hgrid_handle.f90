@@ -88,8 +88,9 @@ contains
         integer(c_int) :: loaded(3)
 
         call c_hg_version(loaded(1), loaded(2), loaded(3))
-        ! Structs of another version may have other members.
-        if (loaded(1) /= HG_VERSION_MAJOR .or. loaded(2) /= HG_VERSION_MINOR) then
+        ! Structs of another version may have other members; from 1.0 on they only grow.
+        if (loaded(1) /= HG_VERSION_MAJOR .or. loaded(2) < HG_VERSION_MINOR .or. &
+            (HG_VERSION_MAJOR == 0 .and. loaded(2) /= HG_VERSION_MINOR)) then
             call raise(HG_ERR_STATE, 'create: module hgrid has version '// &
                 version_text(HG_VERSION_MAJOR, HG_VERSION_MINOR)//', the library that is loaded '// &
                 version_text(loaded(1), loaded(2)), err)

@@ -13,11 +13,15 @@ function(hgrid_choose_python python missing)
     mark_as_advanced(HGRID_PYTHON_ON_PATH)
     set(candidates ${HGRID_PYTHON_ON_PATH} /usr/bin/python3)
   endif()
+  set(modules "'numpy'")
+  if(SKBUILD)
+    set(modules "") # pip brings it with the package (pyproject.toml)
+  endif()
   string(
     CONCAT probe
            "import importlib.util, os, sys, sysconfig\n"
            "header = os.path.join(sysconfig.get_path('include'), 'Python.h')\n"
-           "lacks = ['numpy'] if importlib.util.find_spec('numpy') is None else []\n"
+           "lacks = [name for name in [${modules}] if importlib.util.find_spec(name) is None]\n"
            "lacks += [] if os.path.exists(header) else [header]\n"
            "lacks += [] if sys.version_info >= (3, 8) else ['version 3.8']\n"
            "print(' and '.join(lacks))\n")
