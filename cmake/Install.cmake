@@ -5,7 +5,8 @@
 # what lies there stays there.
 #
 # Components, for those who install or pack parts: runtime (the libraries of C and FORTRAN 77), fortran, mpi (theirs),
-# development and mpi_development (what compiling needs), tools and mpi_tools (the commands), python, docs.
+# development and mpi_development (what compiling needs; the former is the default, see CMakeLists.txt), command and
+# mpi_command, python, docs.
 include(CMakePackageConfigHelpers)
 
 # hgrid_install_library(<target> <export> <component>): the bare name of a shared library is for the linker only.
@@ -29,10 +30,9 @@ if(TARGET hgrid_f77)
 endif()
 install(FILES include/hgrid/hgrid.h include/hgrid/base.h include/hgrid/types.h include/hgrid/grid.h
               include/hgrid/history.h include/hgrid/hgrid.hpp ${PROJECT_BINARY_DIR}/include/hgrid/version.h
-        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hgrid
-        COMPONENT development)
+        DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hgrid)
 install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/hgrid COMPONENT docs)
-install(EXPORT hgridTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR} COMPONENT development)
+install(EXPORT hgridTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR})
 
 if(TARGET hgrid_mpi)
   hgrid_install_library(hgrid_mpi hgridMpiTargets mpi)
@@ -59,8 +59,7 @@ if(TARGET hgrid_mpi)
           COMPONENT mpi_development)
 endif()
 install(FILES ${HGRID_FORTRAN_FILES} ${PROJECT_BINARY_DIR}/cmake/hgrid_all.f90
-        DESTINATION ${HGRID_FORTRAN_SOURCEDIR}
-        COMPONENT development)
+        DESTINATION ${HGRID_FORTRAN_SOURCEDIR})
 
 get_target_property(HGRID_LIBRARY_TYPE hgrid TYPE)
 # For pkg-config: names become -lNAME, paths stay.
@@ -87,8 +86,7 @@ endif()
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/cmake/hgridConfigVersion.cmake COMPATIBILITY ${compatible})
 install(FILES ${PROJECT_BINARY_DIR}/cmake/hgridConfig.cmake ${PROJECT_BINARY_DIR}/cmake/hgridConfigVersion.cmake
               cmake/hgridFortran.cmake
-        DESTINATION ${HGRID_PACKAGE_DIR}
-        COMPONENT development)
+        DESTINATION ${HGRID_PACKAGE_DIR})
 
 if(HGRID_LIBRARY_TYPE STREQUAL "STATIC_LIBRARY")
   set(HGRID_PC_LIBS "-lhgrid ${HGRID_RUNTIME_LIBS}")

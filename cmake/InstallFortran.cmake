@@ -10,7 +10,7 @@ set(HGRID_FORTRAN_INCLUDEDIR ${HGRID_FORTRAN_MODULE_DIR})
 set_target_properties(hgrid_fortran PROPERTIES EXPORT_NAME fortran INSTALL_RPATH "$ORIGIN")
 target_include_directories(hgrid_fortran INTERFACE $<INSTALL_INTERFACE:${HGRID_FORTRAN_INCLUDEDIR}>)
 hgrid_install_library(hgrid_fortran hgridFortranTargets fortran)
-install(EXPORT hgridFortranTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR} COMPONENT development)
+install(EXPORT hgridFortranTargets NAMESPACE hgrid:: DESTINATION ${HGRID_PACKAGE_DIR})
 
 if(TARGET hgrid_mpi_fortran)
   hgrid_install_library(hgrid_mpi_fortran hgridMpiFortranTargets mpi)
@@ -20,7 +20,6 @@ endif()
 get_target_property(hgrid_module_dir hgrid_fortran Fortran_MODULE_DIRECTORY)
 install(DIRECTORY ${hgrid_module_dir}/
         DESTINATION ${HGRID_FORTRAN_INCLUDEDIR}
-        COMPONENT development
         FILES_MATCHING
         PATTERN "*.mod"
         PATTERN "hgrid_mpi*" EXCLUDE)
