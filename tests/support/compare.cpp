@@ -48,12 +48,6 @@ void require_rows(const std::string &what, const hgrid::Rows &got, const std::ve
   }
 }
 
-Grid make_grid(const hg_grid_def &def, const Particles &particles) {
-  Grid grid(def);
-  grid.insert(particles.count(), particles.centers.data(), particles.radii.data());
-  return grid;
-}
-
 void set_box(const Grid &grid, const hg_grid_def &def) {
   hgrid::check(hg_set_box(grid.get(), def.box_min, def.box_max, def.tilt));
 }

@@ -34,7 +34,11 @@ hg_status status_of(Call call) {
 }
 
 using hgrid::Grid;
-Grid make_grid(const hg_grid_def &def, const Particles &particles);
+inline Grid make_grid(const hg_grid_def &def, const Particles &particles) {
+  Grid grid(def);
+  grid.insert(particles.count(), particles.centers.data(), particles.radii.data());
+  return grid;
+}
 // Gives the grid the box of the definition.
 void set_box(const Grid &grid, const hg_grid_def &def);
 
