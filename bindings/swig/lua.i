@@ -16,8 +16,9 @@
 %typemap(arginit) TYPE { memset(&$1, 0, sizeof $1); }
 %typemap(in) TYPE {
   void *data = NULL;
-  if (!lua_isnil(L, $input) && hgrid_take_table(L, $input, "$1_name", LETTER, &data, &$1.rows, &$1.columns) != 0) SWIG_fail;
+  int failed = !lua_isnil(L, $input) && hgrid_take_table(L, $input, "$1_name", LETTER, &data, &$1.rows, &$1.columns) != 0;
   $1.data = data;
+  if (failed) SWIG_fail;
 }
 %typemap(freearg) TYPE { free($1.data); }
 %enddef

@@ -16,12 +16,14 @@ local x, r = {}, {}
 for k = 1, 5000 do
   x[k], r[k] = {k % 17, k % 19, k % 23}, 0.7
 end
+local ragged = {table.unpack(x)}
+ragged[#ragged + 1] = {1, 2}
 local function round()
   local grid = hgrid.Grid()
   grid:insert(x, r)
   local count = #grid:query_pairs()
   assert(not pcall(grid.insert, grid, x, {1}))
-  assert(not pcall(grid.insert, grid, {{1, 2, 3}, {4, 5}}, {1, 1}))
+  for _ = 1, 10 do assert(not pcall(grid.insert, grid, ragged, r)) end
   assert(not pcall(hgrid.Grid, {cell_sizes = {1, 2}, perodic = 1}))
   return count
 end
