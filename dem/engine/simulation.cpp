@@ -5,11 +5,11 @@
 
 #include "dem/base/error.hpp"
 #include "dem/base/parallel.hpp"
+#include "dem/engine/snapshots.hpp"
 #include "dem/setup/time_step.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -23,17 +23,6 @@ Setup without_particles(const Setup &setup) {
   static_cast<ParticleArrays &>(result) = {};
   result.beginning.pairs = result.beginning.walls = {};
   return result;
-}
-
-// The rounding of a distance, many times over.
-template <class Real>
-double slack_of(const Setup &setup) {
-  double longest = 2 * contact_range(setup);
-  for (const double radius : setup.radii) longest = std::max(longest, 4 * radius);
-  for (int axis = 0; axis < setup.dimension; axis++) {
-    if (setup.periodic[axis]) longest += setup.box_max[axis] - setup.box_min[axis];
-  }
-  return 32 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * longest;
 }
 
 // Ways can be told from places unless particles are put into the box or grow.
@@ -55,7 +44,7 @@ Simulation<D, Real>::Simulation(const Setup &setup, std::vector<uint32_t> places
       pair_kernel_(find_pair_kernel<D, Real>(setup.effects)),
       wall_kernel_(find_wall_kernel<D, Real>(setup.effects)),
       motion_kernel_(find_motion_kernel<D, Real>(setup.effects)),
-      slack_(slack_of<Real>(setup)),
+      slack_(rounding_slack<Real>(setup)),
       search_(setup, slack_),
       room_(search_.skin() / 2, goes_straight(setup)),
       pair_history_(setup.effects),
@@ -86,16 +75,10 @@ void Simulation<D, Real>::require_speed() const {
 template <int D, class Real>
 void Simulation<D, Real>::load_bodies(const Setup &setup) {
   bodies_.resize(setup.count(), setup.effects);
-  if (has(setup.effects, kMaterials)) bodies_.materials = setup.material_ids;
   const auto lead = static_cast<Real>(setup.scheme.shared_drift * setup.time_step);
   for (size_t i = 0; i < setup.count(); i++) {
-    bodies_.velocity(i) = vector_at<Vec<D, double>>(setup.velocities, i).template cast<Real>();
-    bodies_.position(i) = vector_at<Vec<D, double>>(setup.centers, i).template cast<Real>();
+    set_body(setup, i, bodies_, i);
     bodies_.position(i) += lead * bodies_.velocity(i);
-    bodies_.radius(i) = static_cast<Real>(setup.radii[i]);
-    bodies_.inverse_mass(i) = static_cast<Real>(1 / setup.masses[i]);
-    if (!bodies_.rotating() || setup.spins.empty()) continue;
-    bodies_.spin(i) = vector_at<Spin<D, double>>(setup.spins, i).template cast<Real>();
   }
 }
 

@@ -68,7 +68,6 @@ class Simulation final : public Engine {
   Snapshot state_after(double kick) const;
   double lag() const;  // of velocities behind positions
   std::vector<ContactLoad<D>> loads_of(const Snapshot &lagging);
-  void bring_into_box(Snapshot &state) const;
   void tally(double kick);
 
   uint64_t steps_since_beginning() const { return steps_ - setup_.beginning.step; }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Looking at a simulation, saving and restoring it.
 #include "dem/base/error.hpp"
-#include "dem/effects/choice.hpp"
+#include "dem/engine/acting_contacts.hpp"
 #include "dem/engine/measure.hpp"
 #include "dem/engine/simulation.hpp"
+#include "dem/engine/snapshots.hpp"
 #include "dem/engine/work.hpp"
 #include "dem/setup/materials.hpp"
 #include "dem/setup/space_order.hpp"
@@ -15,52 +16,6 @@
 
 namespace dem {
 namespace {
-
-// What the contacts of a list remember, in its order.
-template <int D, class Real>
-void add_history(const ContactHistory<D, Real> &history, PairView list, ContactState<D> &contacts) {
-  const ContactRows<D, Real> known = history.contacts_of(list);
-  for (const EffectRow &row : kEffects) {
-    if (row.history == nullptr || !history.remembers(row.effect)) continue;
-    const auto &rows = known.rows[history_of(row.effect)];
-    for (const hg_pair &pair : contacts.list) {
-      const size_t place = known.find(pair);
-      Vec<D, double> stretch = Vec<D, double>::Zero();
-      if (place < rows.size()) stretch = rows[place].template cast<double>();
-      contacts.history[history_of(row.effect)].push_back(stretch);
-    }
-  }
-}
-
-// Those of a list of pairs that act on each other in this state.
-template <int D>
-ContactState<D> pairs_in(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
-                         PairView list) {
-  const auto nearest = choose<kImageEffects, double>(
-      setup.effects, [](auto set) { return &Boundary<D, double>::template nearest<decltype(set)::value>; });
-  ContactState<D> result;
-  for (const hg_pair &pair : list) {
-    const auto a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
-    Vec<D, double> separation =
-        vector_at<Vec<D, double>>(state.centers, b) - vector_at<Vec<D, double>>(state.centers, a);
-    (boundary.*nearest)(separation);
-    const double reach = state.radii[a] + state.radii[b] + contact_range(setup);
-    if (separation.squaredNorm() < reach * reach) result.list.push_back(pair);
-  }
-  return result;
-}
-
-template <int D>
-ContactState<D> walls_in(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
-                         PairView list) {
-  ContactState<D> result;
-  for (const hg_pair &pair : list) {
-    const auto i = static_cast<size_t>(pair.a);
-    const double x = state.centers[i * D + static_cast<size_t>(axis_of(pair.b))];
-    if (wall_overlap(boundary, x, state.radii[i], pair.b) > -contact_range(setup)) result.list.push_back(pair);
-  }
-  return result;
-}
 
 template <int D>
 SurfaceState<D> surfaces_in(const Setup &setup, const Surfaces<D> &surfaces, const Snapshot &state) {
@@ -109,47 +64,19 @@ Snapshot Simulation<D, Real>::state_now() {
 
 template <int D, class Real>
 Snapshot Simulation<D, Real>::state_after(double time) const {
-  const auto kick = static_cast<Real>(time);
   const auto lead = static_cast<Real>(setup_.scheme.shared_drift * setup_.time_step);
-  Snapshot state;
-  state.dimension = D;
+  Snapshot state = snapshot_of(bodies_, bodies_.count(), setup_.effects, body_force_, static_cast<Real>(time), lead);
   state.time = this->time();
   state.image_offset = image_offset();
   state.material_ids = bodies_.materials;
-  const AccelerationKernel<D, Real> acceleration = find_acceleration<D, Real>(setup_.effects);
-  for (size_t i = 0; i < bodies_.count(); i++) {
-    const Vec<D, Real> v = bodies_.velocity(i) + kick * acceleration(bodies_, body_force_, i);
-    const Vec<D, Real> x = bodies_.position(i) - lead * v;
-    state.centers.insert(state.centers.end(), x.data(), x.data() + D);
-    state.velocities.insert(state.velocities.end(), v.data(), v.data() + D);
-    state.radii.push_back(bodies_.radius(i));
-    state.masses.push_back(bodies_.inverse_mass(i) > 0 ? 1.0 / static_cast<double>(bodies_.inverse_mass(i))
-                                                       : kImmovable);
-    if (!bodies_.rotating()) continue;
-    const Spin<D, Real> spin = bodies_.spin(i) + (kick * bodies_.inverse_inertia(i)) * bodies_.torque(i);
-    state.spins.insert(state.spins.end(), spin.data(), spin.data() + spin.size());
-  }
   return state;
-}
-
-template <int D, class Real>
-void Simulation<D, Real>::bring_into_box(Snapshot &state) const {
-  for (size_t i = 0; i < state.radii.size(); i++) {
-    for (size_t axis = 0; axis < D; axis++) {
-      if (!setup_.periodic[axis]) continue;
-      double &x = state.centers[i * D + axis];
-      const double low = setup_.box_min[axis], length = setup_.box_max[axis] - low;
-      x -= length * std::floor((x - low) / length);
-      if (!(x < setup_.box_max[axis])) x = low;  // a tiny negative distance rounds to a whole length
-    }
-  }
 }
 
 template <int D, class Real>
 Snapshot Simulation<D, Real>::snapshot() {
   Snapshot state = state_now();
   reorder(state, places_);
-  bring_into_box(state);
+  bring_into_box(setup_, state);
   return state;
 }
 
@@ -183,10 +110,10 @@ std::vector<ContactLoad<D>> Simulation<D, Real>::loads_of(const Snapshot &laggin
     find_pairs();
     ContactState<D> of_pairs = pairs_in<D>(setup_, boundary, lagging, pairs_);
     ContactState<D> of_walls = walls_in<D>(setup_, boundary, lagging, walls());
-    add_history(pair_history_, pairs_, of_pairs);
-    add_history(wall_history_, walls(), of_walls);
+    add_history(pair_history_, pairs_, of_pairs.list, of_pairs);
+    add_history(wall_history_, walls(), of_walls.list, of_walls);
     SurfaceState<D> of_surfaces = surfaces_in<D>(setup_, surfaces_, lagging);
-    add_history(surface_history_, surfaces_.pairs(), of_surfaces);
+    add_history(surface_history_, surfaces_.pairs(), of_surfaces.list, of_surfaces);
     return contact_loads<D>(setup_, boundary, lagging, of_pairs, of_walls, of_surfaces);
   }
   // Positions are ahead of the step: its contacts are others than those of the forces, and remember nothing.
@@ -241,7 +168,7 @@ std::vector<ContactLine> Simulation<D, Real>::contacts() {
   state_now();  // the forces of the positions
   Snapshot state = state_after(0);
   const std::vector<ContactLoad<D>> loads = loads_of(state);
-  bring_into_box(state);
+  bring_into_box(setup_, state);
   const std::vector<uint32_t> given = inverse(places_);
   std::vector<ContactLine> lines;
   for (const ContactLoad<D> &load : loads) {

@@ -3,15 +3,11 @@
 // The pairs that may touch soon, from the library.
 #include "dem/state/contact_search.hpp"
 
-#include "dem/effects/contact_law.hpp"
-
 #include <algorithm>
 #include <functional>
 #include <vector>
 
 namespace dem {
-namespace {
-
 double usable_skin(const Setup &setup, double slack) {
   if (setup.count() == 0) return 0;
   double skin = std::min(setup.skin, 2 * *std::min_element(setup.radii.begin(), setup.radii.end()));
@@ -27,7 +23,7 @@ double usable_skin(const Setup &setup, double slack) {
   return std::max(0.0, skin);
 }
 
-hg_grid_def grid_def(const Setup &setup, double margin) {
+hg_grid_def contact_grid_def(const Setup &setup, double margin) {
   hg_grid_def def = hg_default_grid_def();
   def.dimension = setup.dimension;
   def.thread_count = setup.threads;
@@ -43,11 +39,9 @@ hg_grid_def grid_def(const Setup &setup, double margin) {
   return def;
 }
 
-}  // namespace
-
 ContactSearch::ContactSearch(const Setup &setup, double slack)
     : skin_(usable_skin(setup, slack)),
-      def_(grid_def(setup, contact_range(setup) + skin_ + slack)),
+      def_(contact_grid_def(setup, contact_range(setup) + skin_ + slack)),
       grid_(def_),
       count_(setup.count()),
       sheared_(has(setup.effects, kShear)) {

@@ -3,26 +3,45 @@
 // The pairs that may touch soon, from the library.
 #pragma once
 
+#include "dem/effects/contact_law.hpp"
 #include "dem/setup/setup.hpp"
 
 #include <hgrid/hgrid.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace dem {
 
 using PairView = hgrid::View<hg_pair>;
 
+// The rounding of a distance between particles of the setup in these numbers, many times over: added to every reach,
+// for those who decide whether they touch.
+template <class Real>
+double rounding_slack(const Setup &setup) {
+  double longest = 2 * contact_range(setup);
+  for (const double radius : setup.radii) longest = std::max(longest, 4 * radius);
+  for (int axis = 0; axis < setup.dimension; axis++) {
+    if (setup.periodic[axis]) longest += setup.box_max[axis] - setup.box_min[axis];
+  }
+  return 32 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * longest;
+}
+
+// What of the setup's skin is of use: a periodic box must have room for it, and long before it is as wide as the
+// smallest particle it does not pay.
+double usable_skin(const Setup &setup, double slack);
+
+// Of a grid that finds all pairs up to this margin beyond touching.
+hg_grid_def contact_grid_def(const Setup &setup, double margin);
+
 // Pairs come ascending, (a, b) with a < b. Which of them touch is decided later, by the positions alone: so their order
 // among themselves, and every sum of forces, depends neither on threads nor on the skin.
 class ContactSearch {
  public:
-  // `slack` is added to every reach, for the rounding of those who decide.
   ContactSearch(const Setup &setup, double slack);
 
-  // What of the setup's skin is of use: a periodic box must have room for it, and long before it is as wide as the
-  // smallest particle it does not pay.
   double skin() const { return skin_; }
 
   // The pairs that act on each other or could after each has moved and grown by half the skin; radii null if they have
