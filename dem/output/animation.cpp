@@ -9,6 +9,8 @@
 
 #include <pugixml.hpp>
 
+#include <cstdio>
+
 namespace output {
 
 void write_animation(const std::string &path, const std::vector<TimedFile> &files) {
@@ -29,6 +31,20 @@ std::vector<TimedFile> read_animation(const std::string &path) {
   for (const pugi::xml_node entry : collection.children("DataSet"))
     files.push_back({entry.attribute("timestep").as_double(), entry.attribute("file").as_string()});
   return files;
+}
+
+std::string name_of_step(const char *what, uint64_t step, const std::string &format) {
+  char name[64];
+  std::snprintf(name, sizeof name, "%s-%012llu.", what, static_cast<unsigned long long>(step));
+  return name + format;
+}
+
+std::vector<TimedFile> files_until(const std::string &list, const std::string &last) {
+  std::vector<TimedFile> kept;
+  for (const TimedFile &file : read_animation(list)) {
+    if (file.name <= last) kept.push_back(file);
+  }
+  return kept;
 }
 
 }  // namespace output

@@ -28,13 +28,6 @@ constexpr const char *kBulk =
 
 constexpr const char *kWalls = "step,time,wall,shift_x,shift_y,shift_z,angle,force_x,force_y,force_z,torque,work";
 
-// Files sort by step, by name too.
-std::string name_of(const char *what, uint64_t step, const std::string &format) {
-  char name[64];
-  std::snprintf(name, sizeof name, "%s-%012llu.", what, static_cast<unsigned long long>(step));
-  return name + format;
-}
-
 std::string bulk_row(const dem::Measurement &m) {
   const dem::Bulk &bulk = m.bulk;
   std::vector<double> numbers = {m.time, bulk.pressure};
@@ -55,15 +48,6 @@ std::string energy_row(const dem::Measurement &m, bool work) {
          row_of({m.work.dashpot, m.work.friction, m.work.rolling, m.work.drag, m.work.input, m.balance()});
 }
 
-// Those of an earlier run up to this step.
-std::vector<TimedFile> files_until(const std::string &list, const std::string &last) {
-  std::vector<TimedFile> kept;
-  for (const TimedFile &file : read_animation(list)) {
-    if (file.name <= last) kept.push_back(file);
-  }
-  return kept;
-}
-
 }  // namespace
 
 Recorder::Recorder(std::string directory, Asked asked, uint64_t done)
@@ -75,8 +59,8 @@ Recorder::Recorder(std::string directory, Asked asked, uint64_t done)
   energies_ = std::make_unique<CsvTable>(directory_ + "/energy.csv", header, done);
   if (asked_.bulk) bulk_ = std::make_unique<CsvTable>(directory_ + "/bulk.csv", kBulk, done);
   if (done == 0) return;
-  animation_ = files_until(directory_ + "/states.pvd", name_of("state", done, "vtp"));
-  if (asked_.contacts) networks_ = files_until(directory_ + "/contacts.pvd", name_of("contacts", done, "vtp"));
+  animation_ = files_until(directory_ + "/states.pvd", name_of_step("state", done, "vtp"));
+  if (asked_.contacts) networks_ = files_until(directory_ + "/contacts.pvd", name_of_step("contacts", done, "vtp"));
 }
 
 void Recorder::picture(const dem::Setup &setup, uint64_t step, dem::Engine &engine) {
@@ -84,14 +68,14 @@ void Recorder::picture(const dem::Setup &setup, uint64_t step, dem::Engine &engi
   const double time = state.time;
   const particles::ParticleSet set = picture_of(setup, step, std::move(state));
   for (const std::string &format : asked_.formats) {
-    const std::string name = name_of("state", step, format);
+    const std::string name = name_of_step("state", step, format);
     particles::write_picture(directory_ + "/" + name, *particles::format_of_word(format), set);
     if (format != "vtp") continue;
     animation_.push_back({time, name});
     write_animation(directory_ + "/states.pvd", animation_);
   }
   if (!asked_.contacts) return;
-  networks_.push_back({time, name_of("contacts", step, "vtp")});
+  networks_.push_back({time, name_of_step("contacts", step, "vtp")});
   write_network(directory_ + "/" + networks_.back().name, time, engine.contacts());
   write_animation(directory_ + "/contacts.pvd", networks_);
 }
