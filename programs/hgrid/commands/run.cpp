@@ -10,10 +10,10 @@
 #include "particles/error.hpp"
 #include "particles/text/formatted.hpp"
 #include "particles/text/lists.hpp"
-#include "particles/text/status_line.hpp"
 #include "programs/accuracy/report/tables.hpp"
 #include "programs/hgrid/command.hpp"
 #include "programs/hgrid/interrupt.hpp"
+#include "programs/hgrid/run_line.hpp"
 #include "programs/hgrid/sweep.hpp"
 #include "programs/measure/timing.hpp"
 
@@ -46,54 +46,6 @@ struct RunOptions {
   bool strict = false;
   bool overwrite = false;
 };
-
-// A line about the run as it goes: wiped and rewritten on a terminal, one after the other elsewhere.
-class RunLine {
- public:
-  RunLine(uint64_t first, uint64_t last, size_t particles)
-      : first_(first), last_(last), particles_(static_cast<double>(particles)) {}
-
-  // How many steps to do until the next look at the clock: those of about a tenth of a second.
-  uint64_t patience() const {
-    return seconds_ > 0 ? std::max<uint64_t>(1, static_cast<uint64_t>(0.1 * done_ / seconds_)) : 1;
-  }
-
-  void worked(uint64_t steps, double seconds) {
-    done_ += static_cast<double>(steps);
-    seconds_ += seconds;
-  }
-
-  double ns_per_particle_step() const { return done_ > 0 ? 1e9 * seconds_ / (done_ * particles_) : 0; }
-  double seconds() const { return seconds_; }
-
-  bool is_due() const { return measure::seconds_since(shown_) > (line_.is_seen() ? 0.5 : 10.0); }
-
-  void show(uint64_t step, const dem::Measurement &m) {
-    shown_ = Clock::now();
-    const double left = done_ > 0 ? seconds_ / done_ * static_cast<double>(last_ - step) : 0;
-    const std::string text = particles::formatted(
-        "step %llu of %llu (%.0f %%), time %.6g, energy %.6g, %zu contacts, %.1f ns per particle and step, %.0f s left",
-        static_cast<unsigned long long>(step), static_cast<unsigned long long>(last_),
-        100.0 * static_cast<double>(step - first_) / static_cast<double>(std::max<uint64_t>(1, last_ - first_)), m.time,
-        m.energy(), m.contacts + m.wall_contacts, ns_per_particle_step(), left);
-    if (line_.is_seen()) return line_.show(text);
-    std::fprintf(stderr, "%s\n", text.c_str());
-    std::fflush(stderr);
-  }
-
-  void wipe() { line_.wipe(); }
-
- private:
-  uint64_t first_, last_;
-  double particles_, done_ = 0, seconds_ = 0;
-  particles::StatusLine line_;
-  Clock::time_point shown_ = Clock::now();
-};
-
-// The next multiple of `interval` after `step`; never for 0.
-uint64_t next_after(uint64_t step, uint64_t interval, uint64_t never) {
-  return interval > 0 ? (step / interval + 1) * interval : never;
-}
 
 // One run of an engine with what is recorded on the way.
 class Run {
@@ -183,20 +135,6 @@ class Run {
   uint64_t first_;
   RunLine line_;
 };
-
-void print_scene(const scene::Scene &scene, const std::string &path) {
-  const dem::Setup &setup = scene.setup;
-  const auto [smallest, largest] = std::minmax_element(setup.radii.begin(), setup.radii.end());
-  std::printf("%s: %s\n", path.c_str(), scene.title.c_str());
-  if (!scene.stage_name.empty())
-    std::printf("stage %zu: %s, from step %llu on\n", scene.stage + 1, scene.stage_name.c_str(),
-                static_cast<unsigned long long>(setup.beginning.step));
-  std::printf("%zu %s, radii %.6g to %.6g; effects: %s\n", setup.count(), setup.dimension == 2 ? "discs" : "spheres",
-              *smallest, *largest, dem::names_of(setup.effects).c_str());
-  std::printf("shortest contact %.6g, %llu steps of %.6g (%s), skin %.6g\n", scene.shortest_contact,
-              static_cast<unsigned long long>(scene.steps - setup.beginning.step), setup.time_step,
-              setup.scheme.name.c_str(), setup.skin);
-}
 
 void print_summary(dem::Engine &engine, const Run &run, size_t particles) {
   const RunLine &line = run.line();
