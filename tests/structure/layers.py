@@ -44,6 +44,7 @@ LAYERS = [
     ["dem/kernels"],
     ["dem/engine"],
     ["dem/scene", "dem/output"],
+    ["dem_mpi"],
     ["programs/draw", "programs/measure"],
     ["programs/ranks"],
     ["programs/accuracy"],
