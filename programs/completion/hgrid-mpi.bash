@@ -16,9 +16,10 @@ _hgrid_mpi() {
     [[ $word == -* ]] || { command=$word && break; }
   done
   case $command in
-    '') options='-h --help --version' values='pairs plan' ;;
+    '') options='-h --help --version' values='pairs plan run' ;;
     pairs) options='-h --help -o --output --count --base --format --frame --dimension --header --radius --diameter --type-radius --box --tilt --periodic --open --margin --max-range --touching --images --accuracy --order --levels --level-count --cell-sizes --cell-overhead --level-price --row-price --threads' ;;
     plan) options='-h --help --ranks --weak --weigh-pairs --skin --format --frame --dimension --header --radius --diameter --type-radius --box --tilt --periodic --open --margin --max-range --touching --images --accuracy --order --levels --level-count --cell-sizes --cell-overhead --level-price --row-price --threads --particle-ns --pair-ns --search-ns --choice-ns --interval --forward-bytes --back-bytes --node-ranks --node-bandwidth --rank-bandwidth --latency' ;;
+    run) options='-h --help --restart --output --skin --steps --balance --quiet --strict --set --overwrite' ;;
   esac
   case "$command $previous" in
     'pairs --base') values='0 1' ;;

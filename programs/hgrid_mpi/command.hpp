@@ -12,5 +12,6 @@ namespace command {
 
 void add_rank_pairs(CLI::App &parent);
 void add_plan(CLI::App &parent);
+void add_rank_run(CLI::App &parent);
 
 }  // namespace command

@@ -27,18 +27,20 @@ std::string version_text() {
 }
 
 int run(int argc, char **argv, bool speaks) {
-  CLI::App parser("Finds every contact among particles of very different sizes, over ranks of MPI.");
+  CLI::App parser("Contacts among particles of very different sizes and their simulation, over ranks of MPI.");
   parser.name("hgrid-mpi");
   parser.set_version_flag("--version", version_text());
   parser.require_subcommand(1);
   parser.footer(
       "Examples:\n"
       "  mpirun -n 4 hgrid-mpi pairs packing.csv --output contacts.csv\n"
+      "  mpirun -n 4 hgrid-mpi run scenes/cooling-gas.toml\n"
       "  hgrid-mpi plan packing.csv --ranks 8,64,512,4096\n"
       "Exit code: 0 on success, 1 if the work failed, 2 if the command line is wrong.\n"
       "Manual, where it is installed: man hgrid-mpi, man hgrid-mpi-COMMAND; in the sources docs/guide/mpi.md.");
   command::add_rank_pairs(parser);
   command::add_plan(parser);
+  command::add_rank_run(parser);
   try {
     parser.parse(argc, argv);
   } catch (const CLI::ParseError &error) {
