@@ -136,25 +136,32 @@ static void hgrid_take_definition(const octave_value &given, HgridDefinition &ma
   }
 }
 
+/* A matrix of Octave's with what `take` makes of each number. */
+template <class Made, class Take>
+Made hgrid_fill(Made made, const hgrid_rows &rows, Take &&take) {
+  for (size_t row = 0; row < rows.rows; ++row) {
+    for (size_t column = 0; column < rows.columns; ++column) {
+      made(static_cast<octave_idx_type>(row), static_cast<octave_idx_type>(column)) = take(&rows, row, column);
+    }
+  }
+  return made;
+}
+
 /* Doubles, with which Octave computes; 64-bit integers where one of them is no double. */
 static octave_value hgrid_matrix_of(const hgrid_rows &rows) {
-  Matrix numbers(rows.rows, rows.columns);
+  const auto height = static_cast<octave_idx_type>(rows.rows), width = static_cast<octave_idx_type>(rows.columns);
   bool exact = true;
-  for (size_t row = 0; row < rows.rows; ++row) {
-    for (size_t column = 0; column < rows.columns; ++column) {
-      const double value = hgrid_real_at(&rows, row, column);
-      numbers(row, column) = value;
-      exact = exact && (rows.type != 'l' || std::fabs(value) <= std::ldexp(1.0, 53));
-    }
-  }
+  const Matrix numbers =
+      hgrid_fill(Matrix(height, width), rows, [&](const hgrid_rows *from, size_t row, size_t column) {
+        const double value = hgrid_real_at(from, row, column);
+        exact = exact && (from->type != 'l' || std::fabs(value) <= std::ldexp(1.0, 53));
+        return value;
+      });
   if (exact) return numbers;
-  int64NDArray integers(dim_vector(rows.rows, rows.columns));
-  for (size_t row = 0; row < rows.rows; ++row) {
-    for (size_t column = 0; column < rows.columns; ++column) {
-      integers(row, column) = octave_int64(hgrid_integer_at(&rows, row, column));
-    }
-  }
-  return integers;
+  return hgrid_fill(int64NDArray(dim_vector(height, width)), rows,
+                    [](const hgrid_rows *from, size_t row, size_t column) {
+                      return octave_int64(hgrid_integer_at(from, row, column));
+                    });
 }
 
 /* Where the rows start in the list of all, counted from 1. */
@@ -170,11 +177,12 @@ static octave_value hgrid_ids_of(const hgrid_lists &lists) {
 }
 
 static octave_value hgrid_structs_of(const hgrid_records &records) {
-  octave_map structs(dim_vector(1, records.count));
+  const auto width = static_cast<octave_idx_type>(records.count);
+  octave_map structs(dim_vector(1, width));
   for (const hgrid_member *member = records.members; member->name != nullptr; ++member) {
-    Cell values(1, records.count);
-    for (size_t k = 0; k < records.count; ++k) {
-      const hgrid_rows value = hgrid_member_at(&records, k, member);
+    Cell values(1, width);
+    for (octave_idx_type k = 0; k < width; ++k) {
+      const hgrid_rows value = hgrid_member_at(&records, static_cast<size_t>(k), member);
       values(0, k) = hgrid_real_at(&value, 0, 0);
     }
     structs.setfield(member->name, values);

@@ -32,15 +32,18 @@ refused() {
 }
 
 refused "HGRID_BUILD_PYTHON is ON, but SWIG" "$@" -DHGRID_BUILD_PYTHON=ON -DCMAKE_DISABLE_FIND_PACKAGE_SWIG=ON
+refused "HGRID_BUILD_LUA is ON, but SWIG" "$@" -DHGRID_BUILD_LUA=ON -DCMAKE_DISABLE_FIND_PACKAGE_SWIG=ON
 refused "HGRID_BUILD_APP is ON, but not found: CLI11" "$@" -DHGRID_BUILD_APP=ON -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON
 refused "HGRID_BUILD_BENCH is ON, but the command hgrid" "$@" -DHGRID_BUILD_BENCH=ON
 
 # One build in which nothing of what it would like is there, with folders as Nix has them.
-configure "$@" -DHGRID_BUILD_PYTHON=AUTO -DHGRID_BUILD_APP=AUTO -DHGRID_THREADS=OFF \
-  -DCMAKE_DISABLE_FIND_PACKAGE_SWIG=ON -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON -DCMAKE_INSTALL_PREFIX=/store/out \
+configure "$@" -DHGRID_BUILD_PYTHON=AUTO -DHGRID_BUILD_LUA=AUTO -DHGRID_BUILD_OCTAVE=AUTO -DHGRID_BUILD_APP=AUTO \
+  -DHGRID_THREADS=OFF -DCMAKE_DISABLE_FIND_PACKAGE_SWIG=ON -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON -DCMAKE_INSTALL_PREFIX=/store/out \
   -DCMAKE_INSTALL_LIBDIR=/store/lib/lib -DCMAKE_INSTALL_INCLUDEDIR=/store/dev/include || { cat "$log" && exit 1; }
 says "threads no (HGRID_THREADS)"
-says "Python no: SWIG"
+for language in Python Lua Octave; do
+  says "$language no: SWIG"
+done
 says "command hgrid no: not found: CLI11"
 says "benchmarks no: the command hgrid"
 for line in libdir=/store/lib/lib includedir=/store/dev/include threads=no; do
