@@ -18,11 +18,11 @@ BOX = dict(periodic=(True, False, True), box=((0, 0, 0), (1, 1, 1)))
 
 
 def scene(seed, count=250):
-    """The same on all ranks: gids, places, radii; and which rows this rank owns, by lot, the last rank none at first."""
+    """The same on all ranks: gids, places, radii; and which rows this rank owns, by lot, the last of many ranks none."""
     x, r = polydisperse(seed, count, ratio=50.0)
     rng = np.random.default_rng(seed + 100)
     gids = rng.permutation(count).astype(np.int64) * 2**33 - 2**40
-    mine = rng.integers(0, max(1, SIZE - 1), count) == RANK
+    mine = rng.integers(0, SIZE - 1 if SIZE > 2 else SIZE, count) == RANK
     return gids, x, r, mine
 
 
