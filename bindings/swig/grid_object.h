@@ -75,13 +75,13 @@ static hg_status hgrid_grid_move(hgrid_grid *self, hgrid_reals centers, hgrid_re
   return status != HG_OK ? status : hg_move(self->handle, centers.rows, centers.data, radii.data);
 }
 
-/* What takes a list of 32-bit integers. */
+/* What takes a list of 32-bit integers; where none is given, NULL. */
 typedef hg_status hgrid_list_call(hg_grid *, size_t, const int32_t *);
 
 static hg_status hgrid_give_list(hgrid_grid *self, hgrid_list_call *call, hgrid_integers given, const char *name) {
   int32_t *list = NULL;
   hg_status status = hgrid_check_open(self);
-  if (status == HG_OK) status = hgrid_narrow(given, name, &list);
+  if (status == HG_OK && given.data != NULL) status = hgrid_narrow(given, name, &list);
   if (status != HG_OK) return status;
   status = call(self->handle, given.rows * given.columns, list);
   free(list);

@@ -29,7 +29,7 @@ static const char *version(void) {
 %apply Pointer NONNULL { struct hgrid_grid *, struct hgrid_history * };
 
 /* Arguments that may be left out; also the radii of move. */
-%typemap(default) const hgrid_definition *definition, hgrid_reals tilt ";"
+%typemap(default) const hgrid_definition *definition, hgrid_reals tilt, hgrid_integers groups, hgrid_integers bodies ";"
 %typemap(default) int32_t list "$1 = HG_HALF;"
 
 %nodefaultctor hgrid_grid;

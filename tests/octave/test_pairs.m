@@ -65,3 +65,8 @@ assert(grid.query_pairs(), [1 2]);
 grid.set_group_pair(1, 1, true);
 grid.set_bodies([4 4 -1]);
 assert(grid.query_pairs(), [2 3]);
+grid.set_bodies();
+grid.set_groups([-1 -1 -1]);
+assert(grid.query_pairs(), zeros(0, 2));
+grid.set_groups([]);
+assert(sortrows(grid.query_pairs()), [1 2; 2 3]);
