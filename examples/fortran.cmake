@@ -14,7 +14,7 @@ function(hgrid_add_fortran_example source)
 endfunction()
 
 hgrid_add_fortran_example(minimal.f90)
-set_tests_properties(example_fortran_minimal PROPERTIES PASS_REGULAR_EXPRESSION "^1 overlaps 2\n2 overlaps 3\n$")
+set_tests_properties(example_fortran_minimal PROPERTIES PASS_REGULAR_EXPRESSION "^1 meets 2\n2 meets 3\n$")
 
 # A row of nine spheres in odd columns: each overlaps the next one and touches the one after that.
 set(row "# a comment\nid,r,z,y,kind,x\n")

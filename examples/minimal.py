@@ -1,15 +1,12 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-# Finds the contacts among spheres whose radii differ by a factor of a hundred.
-import numpy as np
-
+# The contacts of a large, a middle and a small sphere.
 import hgrid
 
-rng = np.random.default_rng(1)
-x = rng.random((10000, 3))  # centres in the unit cube
-r = 0.001 / (1 - 0.99 * rng.random(10000))  # radii from 0.001 to 0.1
+x = [[0, 0, 0], [10.5, 0, 0], [11.75, 0, 0]]
+r = [10, 1, 0.5]
 
-with hgrid.Grid(dimension=3, periodic=(True, True, False), box=((0, 0, 0), (1, 1, 1))) as grid:
+with hgrid.Grid() as grid:
     grid.insert(x, r)
-    pairs = grid.query_pairs()  # int32, shape (m, 2)
-    print(len(pairs), "contacts on", len(grid.levels), "levels")
+    for a, b in grid.query_pairs():
+        print(a, "meets", b)
