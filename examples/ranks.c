@@ -27,10 +27,9 @@ int main(int argc, char **argv) {
 
   /* Any rank may bring any spheres: these are dealt out like cards. */
   for (i = rank; i < SPHERES; i += ranks, count++) {
+    const int place[3] = {i % EDGE, i / EDGE % EDGE, i / (EDGE * EDGE)};
     gids[count] = i;
-    centers[count][0] = i % EDGE;
-    centers[count][1] = i / EDGE % EDGE;
-    centers[count][2] = i / (EDGE * EDGE);
+    for (k = 0; k < 3; k++) centers[count][k] = place[k];
     radii[count] = i % 100 == 0 ? 2.25 : 0.375;
   }
   hg_mpi *mpi;
@@ -46,7 +45,7 @@ int main(int argc, char **argv) {
   check(hg_mpi_query_pairs(mpi, &pairs, &pair_count));
   check(hg_mpi_ghosts(mpi, &ghosts, NULL, NULL, NULL, NULL));
   double *contacts = calloc(count + ghosts + 1, sizeof *contacts); /* owned ones, then ghosts */
-  if (contacts == NULL) MPI_Abort(MPI_COMM_WORLD, 1);
+  if (contacts == NULL) return MPI_Abort(MPI_COMM_WORLD, 1);
   for (k = 0; k < pair_count; k++) {
     contacts[pairs[k].a] += 1;
     contacts[pairs[k].b] += 1;

@@ -126,8 +126,10 @@ def c_header(text):
 
 
 def cpp_header(text):
+    """What is private, and what closes a namespace, is left out."""
+    text = re.sub(r"\n\n? private:\n(?:.*\n)*?(?=};)", "\n", text)
     out, block, first, class_of = [], [], True, ""
-    lines = text.split("\n")
+    lines = [re.sub(r"^} +//.*", "}", line) for line in text.split("\n")]
     for k, line in enumerate(lines):
         code, slashes, rest = line.partition("//")
         if slashes and not code.strip():
@@ -145,7 +147,7 @@ def cpp_header(text):
             body = line if line.endswith("}") else body
             calls = [name for name in re.findall(r"\bhg_\w+", body) if name + "(" in body or name + "," in body]
             calls = [name for name in calls if name in NAMES and not name.endswith(("visitor", "status", "key"))]
-            if calls:
+            if calls and re.search(r"get\(\)|_by\b", body):
                 out.append(f'{indent}/** \\ref {calls[0]} "{calls[0]}" of this object. */')
         block = []
         class_of = re.match(r"class (\w+)", line)[1] if re.match(r"class (\w+)", line) else class_of

@@ -61,13 +61,17 @@ def plain(node):
     return " ".join("".join(node.itertext()).split())
 
 
-def summary(member):
-    """The first sentence, as a line of NAME wants it."""
+def first_words(member):
+    """The first sentence, or what of it comes before a colon, in plain text."""
     para = member.find("detaileddescription/para")
     text = "".join(para.itertext()) if para is not None else member.findtext("name")
     text = re.split(r"(?<!e\.g)(?<!Eq)[.;:] ", " ".join(text.split()))[0].rstrip(".:;")
-    text = text if re.match(r"(?:[A-Z]{2}|\w*_)", text) else text[:1].lower() + text[1:]
-    return escape(text).replace("-", "\\-")
+    return text if re.match(r"(?:[A-Z]{2}|\w*_)", text) else text[:1].lower() + text[1:]
+
+
+def summary(member):
+    """The same as a line of NAME wants it."""
+    return escape(first_words(member)).replace("-", "\\-")
 
 
 def prototype(member):

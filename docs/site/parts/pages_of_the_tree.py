@@ -7,17 +7,21 @@ A fence with one of these names is replaced before Sphinx reads the page:
     {page} FILE              the whole of a page outside of docs
     {section} FILE#HEADING   a section of one, without its heading; without HEADING, what comes before the first one
     {gallery}                every picture, with the page that shows it and the command that made it
+    {calls} HEADER           the functions of a header with the first words of their comments
     {fortran} MODULE         the public interface of a Fortran module
 
 Links that leave docs lead to the page of the site that holds their target, and pages are called by their titles.
 """
 
+import importlib.util
+import os
 import pathlib
+import posixpath
 import re
+import sys
 
 import fortran_reference
 import pages
-import posixpath
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 # What stands outside of docs: the page of the site that shows it.
@@ -30,7 +34,7 @@ SHOWN_BY = {
     "packaging/README.md": "project/packages.md",
     "include/hgrid": "reference/c.md",
 }
-FENCE = re.compile(r"^```\{(page|section|gallery|fortran)\} ?(.*)\n```$", re.MULTILINE)
+FENCE = re.compile(r"^```\{(page|section|gallery|calls|fortran)\} ?(.*)\n```$", re.MULTILINE)
 
 
 def rewrite(text, origin, docname):
@@ -90,11 +94,30 @@ def gallery(_, docname):
     return "\n".join(out)
 
 
+def manual_pages():
+    """docs/man/pages.py, which reads the XML of Doxygen; its name is taken here."""
+    folder = ROOT / "docs/man"
+    spec = importlib.util.spec_from_file_location("manual_pages", folder / "pages.py")
+    module = importlib.util.module_from_spec(spec)
+    sys.path.append(str(folder))
+    spec.loader.exec_module(module)
+    return module
+
+
+def calls(header, _):
+    manual = manual_pages()
+    rows = ["| function | in short |", "|---|---|"]
+    for member in manual.Xml(pathlib.Path(os.environ["HGRID_XML"], "xml")).functions(header):
+        words = re.sub(r"([*|<>_\[\]])", r"\\\1", manual.first_words(member))
+        rows.append(f"| {{c:func}}`{member.findtext('name')}` | {words} |")
+    return "\n".join(rows)
+
+
 def fortran(module, _):
     return fortran_reference.page(ROOT / "bindings/fortran", module)
 
 
-MAKE = {"page": page, "section": section, "gallery": gallery, "fortran": fortran}
+MAKE = {"page": page, "section": section, "gallery": gallery, "calls": calls, "fortran": fortran}
 
 
 def read_source(app, docname, source):
