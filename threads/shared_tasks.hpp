@@ -18,13 +18,13 @@ class SharedTasks {
 
   // Takes tasks until none is left or one has failed.
   void work(int worker) noexcept {
-    while (!failed_.load(std::memory_order_relaxed)) {
+    while (failed_.load(std::memory_order_relaxed) == 0) {
       const size_t task = next_.fetch_add(1, std::memory_order_relaxed);
       if (task >= count_) return;
       try {
         run_(body_, task, worker);
       } catch (...) {
-        if (!failed_.exchange(true)) failure_ = std::current_exception();
+        if (failed_.exchange(1) == 0) failure_ = std::current_exception();
       }
     }
   }
@@ -41,7 +41,7 @@ class SharedTasks {
   Run run_;
   void *body_;
   std::atomic<size_t> next_{0};
-  std::atomic<bool> failed_{false};
+  std::atomic<int> failed_{0};  // a word: to exchange a byte, gcc 12 calls libatomic on riscv64
   std::exception_ptr failure_;
 };
 

@@ -16,6 +16,9 @@
 namespace dem {
 namespace {
 
+// Eigenvalues of all sizes by one function: compiled for each they take half a minute.
+using AnyBlock = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+
 template <int D, bool turns>
 class Network {
  public:
@@ -51,7 +54,7 @@ class Network {
     double largest = 0;
     for (const Block &block : blocks_) {
       if (!(block.norm() > largest)) continue;  // no eigenvalue is above that
-      largest = std::max(largest, block.template selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
+      largest = std::max(largest, AnyBlock(block).selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
     }
     return largest;
   }

@@ -29,10 +29,11 @@ only_tests=(-G Ninja -DCMAKE_BUILD_TYPE=Release -DHGRID_BUILD_FORTRAN=OFF -DHGRI
 # Packages of another architecture, unpacked into a folder; the package system of this machine is not touched.
 # fetch_libraries ARCHITECTURE FOLDER
 fetch_libraries() {
-  local root=$2.apt
+  local root=$2.apt suite=bookworm
+  [[ $1 != riscv64 ]] || suite=trixie # the first that has it
   [[ ! -e $2 ]] || return 0
   mkdir -p "$root"/{lists/partial,archives/partial}
-  echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian bookworm main" >"$root/sources"
+  echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian $suite main" >"$root/sources"
   : >"$root/status"
   local apt=(apt-get -q -o APT::Architecture="$1" -o APT::Architectures="$1" -o Dir::State="$root"
     -o Dir::State::status="$root/status" -o Dir::Cache="$root" -o Dir::Etc::sourcelist="$root/sources"
