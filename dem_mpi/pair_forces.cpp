@@ -28,6 +28,13 @@ Named named(hg_pair pair, const std::vector<int64_t> &names) {
   return {a << 32 | b, pair};
 }
 
+// Inlined whatever the compiler thinks: to gcc 12 a call that only fetches has no effect, and is left out.
+[[gnu::always_inline]] inline void fetch([[maybe_unused]] const void *place) {
+#ifdef __GNUC__
+  __builtin_prefetch(place, 1);
+#endif
+}
+
 template <EffectSet E>
 double spring_at(const ContactLaw<double> &law, const NormalContact<double> &contact) {
   return normal_force<E>(law, contact).spring;
@@ -45,6 +52,8 @@ PairForces<D>::PairForces(const Setup &setup)
       kernel_(find_pair_kernel<D, double>(setup.effects)),
       history_(setup.effects) {
   bodies_.resize(2 * kAtOnce, effects_);
+  for (size_t k = 0; k < kAtOnce; k++)
+    copies_.push_back({static_cast<int32_t>(2 * k), static_cast<int32_t>(2 * k + 1)});
 }
 
 template <int D>
@@ -55,23 +64,31 @@ void PairForces<D>::list(const hg_pair *pairs, size_t count, const std::vector<i
   std::sort(found.begin(), found.end(), [](const Named &x, const Named &y) { return x.key < y.key; });
   rows_.clear();
   names_.clear();
-  copies_.clear();
   std::vector<ListPart> parts;
   for (size_t p = 0; p < count; p++) {
-    const auto copy = static_cast<int32_t>(2 * (p % kAtOnce));
     rows_.push_back(found[p].rows);
     names_.push_back({static_cast<int32_t>(found[p].key >> 32), static_cast<int32_t>(found[p].key & 0xffffffffu)});
-    copies_.push_back({copy, copy + 1});
     if (p % kAtOnce == 0) parts.push_back({p, std::min(count, p + kAtOnce), nullptr});
   }
   history_.unpack(this->names(), parts);
 }
 
+// Second particles lie far apart in memory, and are asked for in time.
 template <int D>
-void PairForces<D>::copy_bodies(const Bodies<D, double> &bodies, size_t first, size_t last) {
+size_t PairForces<D>::later_row(size_t k) const {
+  constexpr size_t kAhead = 8;
+  return static_cast<size_t>(rows_[touching_.place[std::min(k + kAhead, touching_.count - 1)]].b);
+}
+
+template <int D>
+void PairForces<D>::copy_bodies(const Bodies<D, double> &bodies) {
   size_t copy = 0;
-  for (size_t p = first; p < last; p++) {
-    for (const int32_t row : {rows_[p].a, rows_[p].b}) {
+  for (size_t k = 0; k < touching_.count; k++) {
+    const size_t later = later_row(k);
+    fetch(&bodies.moves[later]);
+    if (bodies.rotating()) fetch(&bodies.turns[later]);
+    const hg_pair &pair = rows_[touching_.place[k]];
+    for (const int32_t row : {pair.a, pair.b}) {
       const auto i = static_cast<size_t>(row);
       bodies_.places[copy] = bodies.places[i];
       bodies_.moves[copy] = {bodies.moves[i].speed, {}};
@@ -82,18 +99,44 @@ void PairForces<D>::copy_bodies(const Bodies<D, double> &bodies, size_t first, s
   }
 }
 
+// The kernel numbers the contacts that it is given from 0 on; what they remember is kept by their places in the list.
+template <int D>
+void PairForces<D>::add_contacts(size_t part, const Boundary<D, double> &boundary, double step) {
+  Remembered<D, double> &known = history_.part(part)->now;
+  size_t kept = 0, k = 0;
+  for (size_t c = 0; c < known.places.size(); c++) {
+    while (k < touching_.count && touching_.place[k] < known.places[c]) k++;
+    if (k == touching_.count || touching_.place[k] != known.places[c]) continue;
+    known.places[kept] = static_cast<uint32_t>(k);
+    for (auto &rows : known.rows) {
+      if (!rows.empty()) rows[kept] = rows[c];
+    }
+    kept++;
+  }
+  known.places.resize(kept);
+  for (auto &rows : known.rows) rows.resize(std::min(kept, rows.size()));
+  if (touching_.count == 0) return;
+  const ContactTask<D, double> task{&bodies_, &boundary, laws_.all().data(), laws_.width(),
+                                    step,     range_,    batch_filler_,      rough_kernel_};
+  kernel_(task, {copies_.data(), 0, touching_.count, 0, bodies_.count(), history_.part(part)});
+  for (uint32_t &place : known.places) place = touching_.place[place];
+}
+
 template <int D>
 void PairForces<D>::add(const Bodies<D, double> &bodies, const Boundary<D, double> &boundary, double step,
                         PushSums &sums) {
-  const ContactTask<D, double> task{&bodies_, &boundary, laws_.all().data(), laws_.width(),
-                                    step,     range_,    batch_filler_,      rough_kernel_};
+  const BatchTask<D, double> source{bodies.places.data(), &boundary, rows_.data(), range_};
   for (size_t first = 0, part = 0; first < rows_.size(); first += kAtOnce, part++) {
-    const size_t last = std::min(rows_.size(), first + kAtOnce);
-    copy_bodies(bodies, first, last);
-    kernel_(task, {copies_.data(), first, last, 0, 2 * kAtOnce, history_.part(part)});
-    for (size_t p = first; p < last; p++) {
-      size_t copy = 2 * (p - first);
-      for (const int32_t row : {rows_[p].a, rows_[p].b}) {
+    batch_filler_(source, first, std::min(rows_.size(), first + kAtOnce), touching_);
+    copy_bodies(bodies);
+    add_contacts(part, boundary, step);
+    for (size_t k = 0; k < touching_.count; k++) {
+      const double *later = sums.of(later_row(k));
+      fetch(later);
+      fetch(later + sums.columns() - 1);
+      const hg_pair &pair = rows_[touching_.place[k]];
+      size_t copy = 2 * k;
+      for (const int32_t row : {pair.a, pair.b}) {
         sums.add(static_cast<size_t>(row), bodies_.moves[copy], bodies.rotating() ? &bodies_.turns[copy] : nullptr);
         copy++;
       }

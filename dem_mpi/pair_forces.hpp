@@ -4,7 +4,7 @@
 //
 // Kernels add a force to each particle as they go, which rounds by the order of its contacts. Here each pair gets two
 // bodies of its own, copied for a moment, so that what a contact does can be read off alone and added up without
-// rounding. A few pairs at a time stay in the first cache.
+// rounding: a few pairs at a time, and of these those that touch.
 #pragma once
 
 #include "dem/effects/contact_law.hpp"
@@ -41,9 +41,11 @@ class PairForces {
   const ContactHistory<D, double> &history() const { return history_; }
 
  private:
-  static constexpr size_t kAtOnce = 128;
+  static constexpr size_t kAtOnce = 256;
 
-  void copy_bodies(const Bodies<D, double> &bodies, size_t first, size_t last);
+  size_t later_row(size_t k) const;
+  void copy_bodies(const Bodies<D, double> &bodies);
+  void add_contacts(size_t part, const Boundary<D, double> &boundary, double step);
 
   EffectSet effects_;
   double range_;
@@ -53,7 +55,8 @@ class PairForces {
   ContactKernel<D, double> kernel_;
   ContactHistory<D, double> history_;
   std::vector<hg_pair> rows_, names_;  // ascending by name
-  std::vector<hg_pair> copies_;        // where the bodies of each pair are copied to
+  ContactBatch<double> touching_;      // some of them
+  std::vector<hg_pair> copies_;        // where the bodies of each of these are copied to
   Bodies<D, double> bodies_;           // those
 };
 

@@ -11,6 +11,7 @@
 #include "dem/base/large_array.hpp"
 #include "dem/state/bodies.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -21,8 +22,11 @@ class PushSums {
   // `force`: of that contact; `arm`: the largest radius; with torques if particles rotate.
   PushSums(double force, double arm, bool rotating);
 
-  // Nothing acts on any of `count` particles.
+  // Nothing acts on any of `count` particles; on those from `first` on.
   void clear(size_t count) { sums_.assign(rows_ * count, Row<double>{}); }
+  void clear_from(size_t first) {
+    std::fill(sums_.begin() + static_cast<ptrdiff_t>(rows_ * first), sums_.end(), Row<double>{});
+  }
 
   void add(size_t particle, const Course<double> &move, const Course<double> *turn) {
     Row<double> *sums = &sums_[rows_ * particle];
@@ -35,12 +39,15 @@ class PushSums {
   size_t columns() const { return 4 * rows_; }
   double *of(size_t particle) { return sums_.empty() ? nullptr : (sums_.data() + rows_ * particle)->numbers; }
 
-  // Adds what has come together. False if it may not be exact: forces are too large, or none.
-  bool give(size_t particle, Course<double> &move, Course<double> *turn) const {
-    const Row<double> *sums = &sums_[rows_ * particle];
+  // Adds what has come together; nothing acts then any more. False if it may not be exact: forces are too large, or
+  // none.
+  bool give(size_t particle, Course<double> &move, Course<double> *turn) {
+    Row<double> *sums = &sums_[rows_ * particle];
     const double weight = sums[0].numbers[3];
+    if (weight == 0) return true;
     for (int k = 0; k < 3; k++) move.push.numbers[k] += sums[0].numbers[k] + sums[1].numbers[k];
     for (int k = 0; k < 3 && turn != nullptr; k++) turn->push.numbers[k] += sums[2].numbers[k] + sums[3].numbers[k];
+    for (size_t row = 0; row < rows_; row++) sums[row] = {};
     return weight < most_weight_;
   }
 

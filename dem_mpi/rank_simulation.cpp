@@ -231,6 +231,7 @@ void RankSimulation<D>::renew(bool with_balance) {
     pairs_.list(found, count, names_);
     list_walls();
     room_.renew(bodies_);
+    sums_.clear(bodies_.count());
   });
 }
 
@@ -349,11 +350,11 @@ void RankSimulation<D>::find_forces() {
   const ContactTask<D, double> of_walls{&bodies_,           &boundary_,  wall_laws_.all().data(),
                                         wall_laws_.width(), last_drift_, contact_range(setup_)};
   wall_kernel_(of_walls, {walls_.data(), 0, walls_.size(), 0, owned_, wall_history_.part(0)});
-  sums_.clear(bodies_.count());
   pairs_.add(bodies_, boundary_, last_drift_, sums_);
   need(hg_mpi_reverse_add(world_.get(), sums_.columns(), sums_.of(owned_), sums_.of(0)));
   bool exact = true;
   for (size_t i = 0; i < owned_; i++) exact &= sums_.give(i, bodies_.moves[i], rotates() ? &bodies_.turns[i] : nullptr);
+  sums_.clear_from(owned_);
   if (!exact) {
     note("contacts push a particle with more than " + text(sums_.most()) +
          ", or with no number: the time step is too large, or particles start inside each other");
