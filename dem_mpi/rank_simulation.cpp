@@ -49,6 +49,7 @@ std::string fault_over_ranks(const Setup &setup) {
   if (has(setup.effects, kSurfaces)) return "[[wall]]" + not_yet + "; walls of the [box] are";
   if (setup.scheme.stages.size() > 1 || setup.scheme.shared_drift != 0)
     return "the scheme " + setup.scheme.name + " of [time]" + not_yet;
+  if (setup.exchanges()) return "[[inflow]] and [[removal]]" + not_yet;
   if (setup.beginning.step > 0) return "[[stage]]" + not_yet;
   return "";
 }

@@ -33,7 +33,7 @@ struct ParticleSet {
   int periodic[3]{};                  // only with a box
   double tilt[3]{};                   // of the box: xy, xz, yz of hg_grid_def
 
-  // Written where there are any. Of what is read: velocity and spin, if they are asked for.
+  // Written where there are any. Of what is read: velocity, spin, mass, material, if they are asked for.
   std::vector<Column> columns;
   std::optional<Moment> moment;  // never read
 

@@ -159,6 +159,7 @@ void add_surfaces(const Setup &setup, const Snapshot &state, const SurfaceState<
     load.arm_a = nearest.distance;
     load.arm_b = load.image_speed = 0;
     load.reduced_radius = load.smaller_radius = radius;
+    load.wall = contacts.walls[p];
     load.wall_velocity = contacts.velocities[p];
     load.wall_spin = contacts.spins[p];
     const NormalContact<double> contact{load.overlap, 0, 1 / state.masses[i], 1 / radius, 1 / radius};

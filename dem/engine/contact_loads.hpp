@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace dem {
@@ -27,6 +28,7 @@ struct ContactState {
 template <int D>
 struct SurfaceState : ContactState<D> {
   std::vector<SurfaceTouch<D>> touches;
+  std::vector<int32_t> walls;              // that the surfaces are of
   std::vector<uint8_t> materials;          // of the surfaces
   std::vector<Vec<D, double>> velocities;  // of their points
   std::vector<Spin<D, double>> spins;
@@ -44,6 +46,7 @@ struct ContactLoad {
   double reduced_radius;  // of a alone at a wall
   double smaller_radius;
   double image_speed;  // along x, that b has besides its own with the image that a meets
+  int32_t wall = -1;   // of a wall beside the box's, which
   Vec<D, double> wall_velocity = Vec<D, double>::Zero();  // of a wall's surface there
   Spin<D, double> wall_spin = Spin<D, double>::Zero();    // and of the wall
 

@@ -24,6 +24,16 @@ void check_scheme(const Setup &setup) {
   }
 }
 
+// Who comes is one size for good and in one box; and comes where places and velocities are of the same step or half a
+// step apart.
+void check_exchange(const Setup &setup) {
+  if (!setup.exchanges()) return;
+  const EffectSet others = setup.effects & (kShear | kGrowth);
+  if (others != 0) throw Error("inflows and removals do not go together with " + names_of(others));
+  if (setup.scheme.stages.size() > 1 || setup.scheme.shared_drift != 0)
+    throw Error("inflows and removals do not go together with the scheme " + setup.scheme.name);
+}
+
 template <class Real>
 std::unique_ptr<Engine> make_engine_in(const Setup &setup) {
   const std::vector<uint32_t> order = space_order(setup);
@@ -38,6 +48,7 @@ std::unique_ptr<Engine> make_engine(const Setup &setup, Precision precision) {
   check_setup(setup);
   require_time_step(setup);
   check_scheme(setup);
+  check_exchange(setup);
   return precision == Precision::kFloat ? make_engine_in<float>(setup) : make_engine_in<double>(setup);
 }
 

@@ -6,6 +6,7 @@
 
 #include "dem/setup/setup.hpp"
 #include "dem/state/checkpoint.hpp"
+#include "dem/state/exchange.hpp"
 #include "dem/state/handover.hpp"
 #include "dem/state/surfaces.hpp"
 
@@ -66,7 +67,8 @@ struct Measurement {
   double largest_overlap = 0;              // over the radius of the smaller particle
   size_t behind_walls = 0;                 // centres
   double virial = 0;                       // sum over pairs of (elastic force x distance of the centres)
-  double step_load = 0;  // of the present contacts on the time step: below 1 it is stable (step_load.hpp)
+  double step_load = 0;   // of the present contacts on the time step: below 1 it is stable (step_load.hpp)
+  double press_load = 0;  // of planes that press: above 1 they never come to rest (measure.cpp)
   Bulk bulk;
   Work work;  // 0 unless it is counted
 
@@ -91,15 +93,18 @@ class Engine {
   virtual Handover hand_over() = 0;
   // The walls beside those of the box.
   virtual std::vector<WallReport> walls_now() = 0;
+  // What has come in through inflows and gone out through removals.
+  virtual std::vector<Passage> passages() const = 0;
 
   virtual std::vector<ContactLine> contacts() = 0;  // those that overlap, by a and b; a is before b
 
   // From now on, and in steps that take longer. Throws Error where no work is counted: with schemes other than
-  // velocity Verlet, and with growth.
+  // velocity Verlet, with growth, and where particles come or go.
   virtual void count_work() = 0;
 
   virtual uint64_t steps_done() const = 0;  // those before the setup began included
   virtual double time() const = 0;
+  virtual size_t particle_count() const = 0;
   virtual size_t pair_count() const = 0;   // pairs that the last step looked at
   virtual size_t state_bytes() const = 0;  // arrays of the particles and contacts, without the library's
   virtual hg_grid_stats grid_stats() const = 0;

@@ -16,6 +16,24 @@ namespace {
 template <int D>
 using Vector = Vec<D, double>;
 
+// A plane moves with v = V (1 - f / F), where springs K and dashpots C answer with f = K x + C v a step later. With
+// a = V K dt / F and c = V C / F a miss of v goes as powers of the roots of s^2 - (1 - a - c) s - c: they fade if
+// a / 2 + c < 1.
+template <int D>
+double press_load(const Setup &setup, const std::vector<ContactLoad<D>> &loads) {
+  std::vector<double> answer(setup.walls.size(), 0.0);
+  for (const ContactLoad<D> &load : loads) {
+    if (load.wall < 0 || !(load.overlap > 0)) continue;
+    answer[static_cast<size_t>(load.wall)] += load.stiffness * setup.time_step / 2 + load.damping;
+  }
+  double largest = 0;
+  for (size_t k = 0; k < setup.walls.size(); k++) {
+    const WallBody &wall = setup.walls[k];
+    if (wall.presses()) largest = std::max(largest, wall.fastest * answer[k] / wall.force);
+  }
+  return largest;
+}
+
 }  // namespace
 
 template <int D>
@@ -60,6 +78,7 @@ Measurement measure_state(const Setup &setup, const Snapshot &state, const std::
   for (const ContactLoad<D> &load : loads) add_contact(load, result);
   result.bulk = measure_bulk<D>(setup, state, loads);
   result.step_load = step_load<D>(setup, state, loads);
+  result.press_load = press_load<D>(setup, loads);
   return result;
 }
 

@@ -51,6 +51,7 @@ Simulation<D, Real>::Simulation(const Setup &setup, std::vector<uint32_t> places
       wall_history_(setup.effects),
       surfaces_(setup),
       surface_history_(setup.effects),
+      exchange_(setup),
       fastest_allowed_(dem::fastest_allowed(setup)),
       steps_(setup.beginning.step) {
   load_bodies(setup);
@@ -106,6 +107,7 @@ void Simulation<D, Real>::run(uint64_t steps) {
   constexpr uint64_t kStepsPerLook = 16;
   for (; steps > 0; steps--) {
     if (fastest_allowed_ < kInfinity && steps_ % kStepsPerLook == 0) require_speed();
+    if (exchange_.is_due(steps_)) exchange();
     for (size_t k = 0; k < setup_.scheme.stages.size(); k++) {
       find_forces();
       Stage stage = setup_.scheme.stages[k];
@@ -147,7 +149,7 @@ void Simulation<D, Real>::find_pairs() {
     return hg_array{&bodies_.places.data()->numbers[k], sizeof(Row<Real>), kType, 0};
   };
   const hg_array centers[3] = {column(0), column(1), column(2)}, radius = column(3);
-  pairs_ = search_.find(centers, radii_new_ ? &radius : nullptr, image_offset());
+  pairs_ = search_.find(bodies_.count(), centers, radii_new_ ? &radius : nullptr, image_offset());
   radii_new_ = false;
   list_walls(search_.skin() / 2 + slack_);
   if constexpr (std::is_same_v<Real, double>) {

@@ -9,6 +9,7 @@
 #include "dem/kernels/motion_kernel.hpp"
 #include "dem/kernels/surface_kernel.hpp"
 #include "dem/state/contact_history.hpp"
+#include "dem/state/exchange.hpp"
 #include "dem/state/room.hpp"
 #include "dem/state/shares.hpp"
 
@@ -30,11 +31,13 @@ class Simulation final : public Engine {
   Snapshot snapshot() override;
   Handover hand_over() override;
   std::vector<WallReport> walls_now() override;
+  std::vector<Passage> passages() const override { return exchange_.passages(); }
   std::vector<ContactLine> contacts() override;
   void count_work() override;
 
   uint64_t steps_done() const override { return steps_; }
   double time() const override { return setup_.beginning.time + since_beginning(); }
+  size_t particle_count() const override { return bodies_.count(); }
   size_t pair_count() const override { return pair_count_; }
   size_t state_bytes() const override;
   hg_grid_stats grid_stats() const override { return search_.stats(); }
@@ -58,6 +61,11 @@ class Simulation final : public Engine {
   void advance(const Stage &stage);
   double grow();
   void cross_sheared_faces();
+
+  // Takes away who is in a removal, and adds who comes.
+  void exchange();
+  void replace(std::vector<uint32_t> staying, const std::vector<Newcomer<D>> &newcomers);
+  void keep_contacts(const std::vector<uint32_t> &numbers);
 
   void restore_materials(const Checkpoint &checkpoint);
 
@@ -96,6 +104,8 @@ class Simulation final : public Engine {
   Surfaces<D> surfaces_;
   SurfaceKernel<D> surface_kernel_ = nullptr;
   ContactHistory<D, double> surface_history_;
+  Exchange<D, Real> exchange_;
+  uint64_t unsorted_ = 0;  // newcomers since particles were last put into the order of space
   size_t pair_count_ = 0;
 
   double fastest_allowed_;  // approach that the time step is short enough for

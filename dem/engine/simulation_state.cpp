@@ -35,6 +35,7 @@ SurfaceState<D> surfaces_in(const Setup &setup, const Surfaces<D> &surfaces, con
       const WallPose<D> &pose = surfaces.pose_of(surface);
       const Vec<D, double> point =
           vector_at<Vec<D, double>>(state.centers, i) + touch.nearest.distance * touch.nearest.normal;
+      result.walls.push_back(surface.wall);
       result.materials.push_back(surface.material);
       result.velocities.push_back(pose.velocity_at(point));
       result.spins.push_back(pose.spin);
@@ -123,7 +124,7 @@ std::vector<ContactLoad<D>> Simulation<D, Real>::loads_of(const Snapshot &laggin
   };
   hg_array centers[3];
   for (size_t k = 0; k < D; k++) centers[k] = column(lagging.centers.data() + k, D);
-  pairs_ = search_.find(centers, nullptr, image_offset());
+  pairs_ = search_.find(bodies_.count(), centers, nullptr, image_offset());
   std::vector<hg_pair> listed;
   const WallReach<D, double> reach(boundary, contact_range(setup_) + slack_);
   for (size_t i = 0; i < lagging.radii.size(); i++) {
@@ -151,6 +152,7 @@ void Simulation<D, Real>::count_work() {
   const Scheme &scheme = setup_.scheme;
   if (scheme.name != velocity_verlet().name) throw Error("work is not counted with the scheme " + scheme.name);
   if (has(setup_.effects, kGrowth)) throw Error("work is not counted with growth: that of growing is not known");
+  if (!exchange_.empty()) throw Error("work is not counted with [[inflow]] and [[removal]]: who goes takes some along");
   counts_work_ = true;
   // What springs along the surfaces hold by now is not dissipated yet, and is found when it is.
   if (steps_ > 0) add(work_, without_springs<D>({}, loads_of(state_after(0))), -1);
@@ -199,6 +201,11 @@ void Simulation<D, Real>::save(Checkpoint &checkpoint) const {
   checkpoint.put_value("steps", steps_);
   checkpoint.put_value("forces known", static_cast<uint64_t>(forces_known_));
   checkpoint.put_value("last drift", last_drift_);
+  if (!exchange_.empty()) {
+    checkpoint.put("places", places_);
+    checkpoint.put_value("unsorted", unsorted_);
+    exchange_.save(checkpoint);
+  }
   if (counts_work_) checkpoint.put_value("work", work_);
   visit_quantities(bodies_, [&](const char *name, size_t count, size_t width, auto numbers_of) {
     std::vector<Real> numbers;
@@ -227,6 +234,13 @@ void Simulation<D, Real>::restore(const Checkpoint &checkpoint) {
   if (print.effects != setup_.effects) {
     throw Error("the checkpoint has the effects " + names_of(static_cast<EffectSet>(print.effects)) +
                 ", the scene has " + names_of(setup_.effects));
+  }
+  if (!exchange_.empty()) {
+    exchange_.restore(checkpoint);
+    bodies_.resize(print.count, setup_.effects);
+    places_.resize(print.count);
+    checkpoint.get("places", places_);
+    unsorted_ = checkpoint.get_value<uint64_t>("unsorted");
   }
   if (print.count != bodies_.count()) {
     throw Error("the checkpoint holds " + std::to_string(print.count) + " particles, the scene " +
@@ -265,6 +279,7 @@ void Simulation<D, Real>::restore_materials(const Checkpoint &checkpoint) {
 }
 
 #define DEM_INSTANTIATE(D, Real)                                         \
+  template double Simulation<D, Real>::lag() const;                      \
   template Snapshot Simulation<D, Real>::state_now();                    \
   template Snapshot Simulation<D, Real>::snapshot();                     \
   template Handover Simulation<D, Real>::hand_over();                    \

@@ -39,7 +39,8 @@ bool Watch::Sight::note(double value, double bound, uint64_t now) {
   return warned = true;
 }
 
-Watch::Watch(const Setup &setup) : gains_(has(setup.effects, kShear | kGrowth) || has_moving_walls(setup)) {}
+Watch::Watch(const Setup &setup)
+    : gains_(has(setup.effects, kShear | kGrowth) || setup.exchanges() || has_moving_walls(setup)) {}
 
 std::vector<std::string> Watch::look(uint64_t step, const Measurement &m) {
   std::vector<std::string> warnings;
@@ -54,6 +55,10 @@ std::vector<std::string> Watch::look(uint64_t step, const Measurement &m) {
   if (load_.note(m.step_load, 1, step)) {
     warnings.push_back("so many contacts at once may make the time step unstable: it is " +
                        rounded(std::sqrt(m.step_load)) + " of what they allow or more");
+  }
+  if (press_.note(m.press_load, 1, step)) {
+    warnings.push_back("a plane that presses swings without end: its speed is " + rounded(m.press_load) +
+                       " times what its force allows for with these springs and dashpots");
   }
   scale_ = std::max(scale_, m.translation + m.rotation + std::fabs(m.contact));
   const double energy = m.energy() - m.wall_work;
@@ -74,6 +79,8 @@ std::string Watch::summary() const {
          at(load_) + ", rise of energy " + (gains_ ? "not judged" : at(rise_));
 }
 
-bool Watch::has_warned() const { return overlap_.warned || outside_.warned || load_.warned || rise_.warned; }
+bool Watch::has_warned() const {
+  return overlap_.warned || outside_.warned || load_.warned || press_.warned || rise_.warned;
+}
 
 }  // namespace dem

@@ -17,7 +17,8 @@ class Watch {
 
   // What this measurement shows for the first time in the run, in words: overlaps above a tenth of a radius, centres
   // behind walls, a time step that the present contacts may make unstable, energy that rises by more than a hundredth
-  // of what is in motion and in contacts where nothing puts any in (no shear, no growth, no fixed particle that moves).
+  // of what is in motion and in contacts where nothing puts any in (no shear, no growth, no fixed particle that moves,
+  // none that come or go); planes that press and swing.
   std::vector<std::string> look(uint64_t step, const Measurement &measurement);
 
   // The worst of each that was seen, whether warned of or not.
@@ -37,7 +38,7 @@ class Watch {
 
   bool gains_;  // something may put energy in
   double lowest_ = kInfinity, scale_ = 0;
-  Sight overlap_, outside_, load_, rise_;
+  Sight overlap_, outside_, load_, press_, rise_;
 };
 
 }  // namespace dem

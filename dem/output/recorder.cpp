@@ -3,6 +3,7 @@
 // The files of a run.
 #include "dem/output/recorder.hpp"
 
+#include "dem/engine/region_content.hpp"
 #include "dem/output/network.hpp"
 #include "dem/output/picture.hpp"
 #include "particles/error.hpp"
@@ -27,6 +28,8 @@ constexpr const char *kBulk =
     "fabric_yz,temperature";
 
 constexpr const char *kWalls = "step,time,wall,shift_x,shift_y,shift_z,angle,force_x,force_y,force_z,torque,work";
+constexpr const char *kRegions = "step,time,region,count,mass,fraction,flow_x,flow_y,flow_z";
+constexpr const char *kPassages = "step,time,name,count,mass,waiting";
 
 std::string bulk_row(const dem::Measurement &m) {
   const dem::Bulk &bulk = m.bulk;
@@ -87,13 +90,38 @@ void Recorder::measurement(uint64_t step, const dem::Measurement &m) {
 
 void Recorder::walls(uint64_t step, double time, const std::vector<dem::WallReport> &walls) {
   if (walls.empty()) return;
-  if (!walls_) walls_ = std::make_unique<CsvTable>(directory_ + "/walls.csv", kWalls, done_);
+  CsvTable &rows = table(walls_, "walls.csv", kWalls);
   for (const dem::WallReport &wall : walls) {
     const double *shift = wall.place.shift, *push = wall.push;
-    walls_->add(step, row_of({time}) + "," + wall.name + "," +
-                          row_of({shift[0], shift[1], shift[2], wall.place.angle, push[0], push[1], push[2],
-                                  wall.torque, wall.work}));
+    rows.add(step, row_of({time}) + "," + wall.name + "," +
+                       row_of({shift[0], shift[1], shift[2], wall.place.angle, push[0], push[1], push[2], wall.torque,
+                               wall.work}));
   }
+}
+
+void Recorder::regions(uint64_t step, const std::vector<dem::Region> &regions, dem::Engine &engine) {
+  if (regions.empty()) return;
+  CsvTable &rows = table(regions_, "regions.csv", kRegions);
+  const dem::Snapshot state = engine.snapshot();
+  for (const dem::Region &region : regions) {
+    const dem::RegionContent in = dem::content_of(region, state);
+    rows.add(step, row_of({state.time}) + "," + region.name + "," + std::to_string(in.count) + "," +
+                       row_of({in.mass, in.fraction, in.flow[0], in.flow[1], in.flow[2]}));
+  }
+}
+
+void Recorder::passages(uint64_t step, double time, const std::vector<dem::Passage> &passages) {
+  if (passages.empty()) return;
+  CsvTable &rows = table(passages_, "exchange.csv", kPassages);
+  for (const dem::Passage &passage : passages) {
+    rows.add(step, row_of({time}) + "," + passage.name + "," + std::to_string(passage.count) + "," +
+                       row_of({passage.mass}) + "," + std::to_string(passage.waiting));
+  }
+}
+
+CsvTable &Recorder::table(std::unique_ptr<CsvTable> &table, const char *name, const char *header) const {
+  if (!table) table = std::make_unique<CsvTable>(directory_ + "/" + name, header, done_);
+  return *table;
 }
 
 }  // namespace output

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The files of a run: pictures of the state, tables of energies and averages, networks of contacts, the checkpoint.
+// The files of a run: pictures of the state, tables of energies, averages, walls and regions, networks of contacts, the
+// checkpoint.
 #pragma once
 
 #include "dem/engine/engine.hpp"
@@ -35,16 +36,22 @@ class Recorder {
   void picture(const dem::Setup &setup, uint64_t step, dem::Engine &engine);
   // A row of each table.
   void measurement(uint64_t step, const dem::Measurement &measurement);
-  // A row for each wall beside the box's in walls.csv, which is there once there is one.
+  // A row for each wall beside the box's in walls.csv, each region in regions.csv, each inflow and removal in
+  // exchange.csv, which are there once there is one.
   void walls(uint64_t step, double time, const std::vector<dem::WallReport> &walls);
+  void regions(uint64_t step, const std::vector<dem::Region> &regions, dem::Engine &engine);
+  void passages(uint64_t step, double time, const std::vector<dem::Passage> &passages);
 
   std::string checkpoint_path() const { return directory_ + "/checkpoint"; }
 
  private:
+  // The table of this name, with what an earlier run has entered.
+  CsvTable &table(std::unique_ptr<CsvTable> &table, const char *name, const char *header) const;
+
   std::string directory_;
   Asked asked_;
   uint64_t done_;
-  std::unique_ptr<CsvTable> energies_, bulk_, walls_;
+  std::unique_ptr<CsvTable> energies_, bulk_, walls_, regions_, passages_;
   std::vector<TimedFile> animation_, networks_;
 };
 

@@ -21,15 +21,18 @@ const char *kept(std::string text) {
   return texts.emplace_back(std::move(text)).c_str();
 }
 
-// Puts before `others` the law of a packing and what laws take.
+// Puts before `others` the law of packings and inflows and what laws take.
 std::vector<Key> with_size_laws(const std::vector<Key> &others) {
-  std::vector<Key> keys = {{"particles.pack", "law", Kind::kText, kPure, "mono",
-                            kept(particles::joined(particles::names_of(packing::size_laws()), " or "))}};
-  for (const packing::LawParameter *parameter : packing::law_parameters()) {
-    keys.push_back({"particles.pack", parameter->name, parameter->is_whole ? Kind::kCount : Kind::kNumber, kPure,
-                    kept(packing::usual_values(*parameter)), kept(packing::describe(*parameter))});
+  std::vector<Key> keys;
+  for (const char *table : {"particles.pack", "inflow.radii"}) {
+    keys.push_back({table, "law", Kind::kText, kPure, "mono",
+                    kept(particles::joined(particles::names_of(packing::size_laws()), " or "))});
+    for (const packing::LawParameter *parameter : packing::law_parameters()) {
+      keys.push_back({table, parameter->name, parameter->is_whole ? Kind::kCount : Kind::kNumber, kPure,
+                      kept(packing::usual_values(*parameter)), kept(packing::describe(*parameter))});
+    }
+    keys.push_back({table, "sizes", Kind::kText, kPure, "needed for table", packing::kSizesMeaning});
   }
-  keys.push_back({"particles.pack", "sizes", Kind::kText, kPure, "needed for table", packing::kSizesMeaning});
   keys.insert(keys.end(), others.begin(), others.end());
   return keys;
 }
@@ -90,6 +93,10 @@ const std::vector<TableDoc> &all_tables() {
       {kStage, "parts of the run, as an array of tables [[stage]]: what differs from the scene; false takes away"},
       {"box", "the box; without it that of the pack or file, else none", true},
       {"wall", "a wall beside the box's, as an array of tables [[wall]]: a plane, cylinder or triangle mesh", true},
+      {"inflow", "where particles come in, as an array of tables [[inflow]]; not with [shear] and [growth]", true},
+      {"inflow.radii", "the sizes of those that come in"},
+      {"removal", "where particles go out, as an array of tables [[removal]]; not with [shear] and [growth]", true},
+      {"region", "a box in regions.csv, as an array of tables [[region]]", true},
       {dem::kLinearName, "linear elastic contacts; needed unless there is [hertz]", true},
       {"time", "how far and in what steps", true},
       {"run", "how the work is done; none of it changes results, but for precision"},
@@ -103,12 +110,13 @@ const std::vector<Key> &all_keys() {
        {"", "dimension", Kind::kCount, kPure, "3", "2 (discs) or 3 (spheres)"},
 
        {"particles", "file", Kind::kText, kPure, "none",
-        "a particle file, relative to the scene's folder; velocities and spins in it count"},
+        "a particle file, relative to the scene's folder; velocities, spins, masses, materials in it count"},
        {"particles", "at", Kind::kList, kLength, "none", "centres, a list of vectors"},
        {"particles", "radius", Kind::kNumber, kLength, "needed for at and lattice",
         "of all particles of the group; of the smallest particle of a pack (1; table: as in it)"},
-       {"particles", "density", Kind::kNumber, kDensity, "1", "of the material; per area in two dimensions (kg/m^2)"},
-       {"particles", "material", Kind::kText, kPure, "needed with [[material]]", "its name"},
+       {"particles", "density", Kind::kNumber, kDensity, "1",
+        "of the material; per area in two dimensions (kg/m^2); of a file its masses"},
+       {"particles", "material", Kind::kText, kPure, "needed with [[material]]", "its name; of a file its materials"},
        {"particles", "velocity", Kind::kVector, kVelocity, "0",
         "of all particles of the group; added to those of a file"},
        {"particles", "spin", Kind::kVector, kSpin, "0",
@@ -166,6 +174,30 @@ const std::vector<Key> &all_keys() {
        {"wall", "force", Kind::kNumber, kForce, "none", "a plane moves along its normal so that particles bear this"},
        {"wall", "speed", Kind::kNumber, kVelocity, "needed for force",
         "of such a plane at most, where nothing resists"},
+
+       {"inflow", "name", Kind::kText, kPure, "inflow- and its number", "in exchange.csv"},
+       {"inflow", "min", Kind::kVector, kLength, "needed", "lower corner of the box in which particles appear wholly"},
+       {"inflow", "max", Kind::kVector, kLength, "needed", "upper corner"},
+       {"inflow", "rate", Kind::kNumber, kRate, "needed",
+        "particles per time since the stage began; who finds no room waits"},
+       {"inflow", "count", Kind::kCount, kPure, "any", "how many come in a stage at most"},
+       {"inflow", "until", Kind::kNumber, kTime, "the end", "when the last is due, in the time of the run"},
+       {"inflow", "radius", Kind::kNumber, kLength, "needed without radii",
+        "of all of them; with radii of the smallest (1; table: as in it)"},
+       {"inflow", "density", Kind::kNumber, kDensity, "1", "as of [[particles]]"},
+       {"inflow", "material", Kind::kText, kPure, "needed with [[material]]", "its name"},
+       {"inflow", "velocity", Kind::kVector, kVelocity, "0", "with which they appear"},
+       {"inflow", "seed", Kind::kCount, kPure, "1", "of the places and the order of sizes"},
+       {"removal", "name", Kind::kText, kPure, "removal- and its number", "in exchange.csv"},
+       {"removal", "min", Kind::kVector, kLength, "needed, or point",
+        "lower corner: particles whose centres come into"},
+       {"removal", "max", Kind::kVector, kLength, "needed, or normal", "upper corner: the box go"},
+       {"removal", "point", Kind::kVector, kLength, "none",
+        "of a plane instead: those whose centres come behind it go"},
+       {"removal", "normal", Kind::kVector, kPure, "none", "of the plane, to the side of those that stay"},
+       {"region", "name", Kind::kText, kPure, "region- and its number", "in regions.csv"},
+       {"region", "min", Kind::kVector, kLength, "needed", "lower corner"},
+       {"region", "max", Kind::kVector, kLength, "needed", "upper corner"},
 
        {"time", "end", Kind::kNumber, kTime, "needed, or steps", "when the simulation ends; with stages these tell"},
        {"time", "steps", Kind::kCount, kPure, "by end", "number of steps instead of end"},

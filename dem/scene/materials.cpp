@@ -88,7 +88,7 @@ bool has_wall_of(const dem::Setup &setup, size_t material) {
 // Whether one law holds between particles and another between particles and walls, as without materials.
 bool is_one_for_all(const Table &top, const dem::Setup &setup) {
   const auto meetings = dem::meetings(setup);
-  const size_t a = setup.material_ids.front(), none = setup.materials.size();
+  const auto a = static_cast<size_t>(setup.first_material()), none = setup.materials.size();
   // Walls of the material beside walls of none are of two laws.
   const auto is_met = [&](size_t other) {
     return std::find(meetings.begin(), meetings.end(), std::pair(a, other)) != meetings.end();
@@ -100,7 +100,7 @@ bool is_one_for_all(const Table &top, const dem::Setup &setup) {
 }
 
 void put_one_for_all(dem::Setup &setup) {
-  const size_t a = setup.material_ids.front();
+  const auto a = static_cast<size_t>(setup.first_material());
   const bool of_walls = has_wall_of(setup, a);
   const ContactParameters own = setup.materials[a].contact;
   setup.contact = setup.pairs[setup.pair_of(a, a)];
@@ -117,6 +117,8 @@ void put_one_for_all(dem::Setup &setup) {
   setup.materials.clear();
   setup.pairs.clear();
   setup.material_ids.clear();
+  setup.expected.material_ids.clear();
+  for (dem::Inflow &inflow : setup.inflows) inflow.material = -1;
   std::fill(std::begin(setup.wall_materials), std::end(setup.wall_materials), -1);
   for (dem::WallBody &wall : setup.walls) wall.material = -1;
 }

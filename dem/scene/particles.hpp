@@ -12,7 +12,15 @@
 namespace scene {
 
 // Appends the particles of one [[particles]] table to the setup. `folder` is where relative file names start from.
-// Returns the set as it came from its source: it may bring a box.
+// Returns the set as it came from its source: it may bring a box and masses.
 particles::ParticleSet add_particles(const Table &table, const std::string &folder, dem::Setup &setup);
+
+// What such groups share with inflows: their material, -1 for none; the density, of the group or of its material. Throw
+// dem::Error where something is given twice or not at all.
+int material_of_group(const Table &table, const dem::Setup &setup);
+double density_of(const Table &table, const dem::Setup &setup, int material);
+
+// Of a sphere, or the area of a disc.
+double volume_of_particle(double radius, int dimension);
 
 }  // namespace scene

@@ -7,6 +7,7 @@
 #include "dem/scene/effect_tables.hpp"
 #include "dem/scene/materials.hpp"
 #include "dem/scene/particles.hpp"
+#include "dem/scene/regions.hpp"
 #include "dem/scene/silent_units.hpp"
 #include "dem/scene/table.hpp"
 #include "dem/scene/walls.hpp"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace scene {
 namespace {
@@ -52,7 +54,10 @@ void read_box(const Table &top, const SourceBox &source, dem::Setup &setup) {
 }
 
 void read_run(const Table &top, Scene &scene) {
-  const double smallest = *std::min_element(scene.setup.radii.begin(), scene.setup.radii.end());
+  double smallest = dem::kInfinity;
+  visit_particles(scene.setup, [&](const dem::ParticleArrays &particles, size_t i) {
+    smallest = std::min(smallest, particles.radii[i]);
+  });
   scene.setup.skin = 0.1 * smallest;
   const auto run = top.part("run");
   if (!run) return;
@@ -116,6 +121,7 @@ void read_output(const Table &top, const std::string &path, uint64_t length, Sce
   plan.directory = std::filesystem::path(path).stem().string() + "-output";
   plan.formats = {"vtp"};
   plan.energies = std::max<uint64_t>(1, length / 100);
+  plan.regions = read_regions(top, scene.setup.dimension);
   const auto output = top.part("output");
   if (!output) return;
   plan.directory = output->text("directory", plan.directory);
@@ -172,9 +178,48 @@ dem::Handover thinned(const Table &stage, int dimension, const dem::Handover &st
   return without(start, gone);
 }
 
+// Files tell whether they hold masses only when they are read.
+particles::ParticleSet add_group(const Table &top, const Table &group, const std::string &folder, dem::Setup &setup) {
+  particles::ParticleSet source = add_particles(group, folder, setup);
+  const bool has_masses = std::any_of(source.columns.begin(), source.columns.end(),
+                                      [](const particles::Column &column) { return column.name == "mass"; });
+  if (group.has("file") && !has_masses) refuse_silent_density(top, group);
+  return source;
+}
+
+// Where one law holds for all, the engine knows of no materials.
+dem::Handover with_materials(const Scene &scene, dem::Handover left) {
+  if (scene.only_material >= 0)
+    left.particles.material_ids.assign(left.particles.count(), static_cast<uint8_t>(scene.only_material));
+  return left;
+}
+
+// Who may come in a stage is there in those after it.
+void add_expected(const Scene &scene, dem::ParticleArrays &particles) {
+  dem::ParticleArrays more = scene.setup.expected;
+  if (scene.only_material >= 0) more.material_ids.assign(more.count(), static_cast<uint8_t>(scene.only_material));
+  const auto append = [](auto &all, const auto &some) { all.insert(all.end(), some.begin(), some.end()); };
+  append(particles.centers, more.centers);
+  append(particles.velocities, more.velocities);
+  append(particles.radii, more.radii);
+  append(particles.masses, more.masses);
+  append(particles.material_ids, more.material_ids);
+  particles.spins.clear();  // at rest
+}
+
+Departure departure_of(const Scene &scene, dem::Handover state) {
+  const dem::Setup &setup = scene.setup;
+  Departure departure{setup.dimension, std::move(state), {}, 0, scene.materials};
+  if (has(setup.effects, dem::kShear)) departure.shear_rate = setup.shear_rate;
+  departure.box.is_there = setup.box_max[0] > setup.box_min[0];
+  std::copy_n(setup.box_min, 3, departure.box.min);
+  std::copy_n(setup.box_max, 3, departure.box.max);
+  return departure;
+}
+
 }  // namespace
 
-StagedScene::StagedScene(const std::string &path, const std::vector<Setting> &settings)
+StagedScene::StagedScene(const std::string &path, const std::vector<Setting> &settings, std::optional<Departure> from)
     : file_(path, settings),
       folder_(std::filesystem::path(path).parent_path().string()),
       top_(file_.top()),
@@ -186,8 +231,13 @@ StagedScene::StagedScene(const std::string &path, const std::vector<Setting> &se
     top_.fail("time", "a scene needs the table [time] with end or steps, or [[stage]]");
   }
   check_stages(top_, stages_);
-  read_particles();
-  for (size_t number = 0; number < stages_.size(); number++) read_stage(number, {particles_, {}});
+  if (from) {
+    take_over(std::move(*from));
+  } else {
+    read_particles();
+  }
+  dem::ParticleArrays met = particles_;
+  for (size_t number = 0; number < stages_.size(); number++) add_expected(read_stage(number, {met, {}}), met);
 }
 
 // Made with the effects of the first stage.
@@ -197,10 +247,12 @@ void StagedScene::read_particles() {
   read_effects(top_of(0), setup);
   read_materials(top_of(0), setup);
   const std::vector<Table> groups = top_.parts("particles");
-  if (groups.empty()) top_.fail("particles", "a scene needs at least one table [[particles]]");
+  const auto has_inflow = [](const Table &table) { return table.has("inflow"); };
+  if (groups.empty() && !has_inflow(top_) && std::none_of(stages_.begin(), stages_.end(), has_inflow))
+    top_.fail("particles", "a scene needs at least one table [[particles]] or [[inflow]]");
   refuse_silent_units(top_);
   for (const Table &group : groups) {
-    const particles::ParticleSet source = add_particles(group, folder_, setup);
+    const particles::ParticleSet source = add_group(top_, group, folder_, setup);
     unused_.insert(unused_.end(), source.unused.begin(), source.unused.end());
     if (!source.has_box || source_box_.is_there) continue;
     source_box_.is_there = true;
@@ -209,6 +261,31 @@ void StagedScene::read_particles() {
     std::copy_n(source.box_max, 3, source_box_.max);
   }
   particles_ = setup;
+}
+
+void StagedScene::take_over(Departure from) {
+  if (from.dimension != dimension_) {
+    top_.fail("dimension", "the checkpoint is of " + std::to_string(from.dimension) + " dimensions");
+  }
+  dem::Setup setup;
+  setup.dimension = dimension_;
+  read_effects(top_of(0), setup);
+  read_materials(top_of(0), setup);
+  try {
+    renumber_materials(from, setup);
+  } catch (const dem::Error &error) {
+    top_.fail("material", error.what());
+  }
+  goes_on_ = true;
+  particles_ = std::move(from.state.particles);
+  beginning_ = std::move(from.state.beginning);
+  source_box_ = from.box;
+  former_shear_rate_ = from.shear_rate;
+}
+
+Scene StagedScene::first() const {
+  const dem::Handover start{particles_, beginning_};
+  return goes_on_ ? at(0, start) : read_stage(0, start);
 }
 
 Scene StagedScene::read_stage(size_t number, const dem::Handover &before) const {
@@ -227,17 +304,27 @@ Scene StagedScene::read_stage(size_t number, const dem::Handover &before) const 
   fit_spins(setup);
   read_box(top, source_box_, setup);
   if (number > 0) read_effects(top_of(number - 1), former);
+  scene.former_shear_rate = number > 0 ? former.shear_rate : former_shear_rate_;
   if (has(former.effects, dem::kShear) && !has(setup.effects, dem::kShear)) {
     stages_[number].fail("shear", "the images stay where shear has moved them: instead of false give a rate of 0");
   }
-  add_shear_profile(setup, former.shear_rate);
-  if (!stages_.empty()) {
-    for (const Table &group : stages_[number].parts("particles")) add_particles(group, folder_, setup);
+  if (before.beginning.image_offset != 0 && !has(setup.effects, dem::kShear)) {
+    top.fail("shear", "the images stay where shear has moved them: give a rate of 0 at least");
   }
-  if (setup.count() == 0) stages_[number].fail("remove", "leaves no particle");
+  add_shear_profile(setup, scene.former_shear_rate);
+  if (!stages_.empty()) {
+    for (const Table &group : stages_[number].parts("particles")) add_group(top_, group, folder_, setup);
+  }
   read_walls(top, folder_, setup);
-  scene.material_ids = setup.material_ids;
+  read_exchange(top, folder_, setup);
+  if (setup.count() + setup.expected.count() == 0) {
+    const Table &place = stages_.empty() ? top_ : stages_[number];
+    place.fail(place.has("remove") ? "remove" : "particles", "leaves nothing to simulate: no particle, no [[inflow]]");
+  }
+  for (const dem::Material &material : setup.materials) scene.materials.push_back(material.name);
+  const int first_material = setup.first_material();
   settle_materials(top, setup);
+  if (!has(setup.effects, dem::kMaterials)) scene.only_material = first_material;
   read_run(top, scene);
   read_time_step(top, scene);
   uint64_t length = 0;
@@ -260,19 +347,34 @@ Scene StagedScene::at(size_t number, const dem::Handover &start) const {
 }
 
 Scene StagedScene::after(const Scene &before, dem::Handover left) const {
-  left.particles.material_ids = before.material_ids;
-  return at(before.stage + 1, left);
+  return at(before.stage + 1, with_materials(before, std::move(left)));
 }
 
-void save(const Scene &scene, const dem::Engine &engine, dem::Checkpoint &checkpoint) {
+void save(const Scene &scene, dem::Engine &engine, dem::Checkpoint &checkpoint) {
   engine.save(checkpoint);
   checkpoint.put_value("stage", static_cast<uint64_t>(scene.stage));
-  if (scene.stage > 0) save_handover(scene.start, checkpoint);
+  if (scene.start) {
+    Departure start = departure_of(scene, *scene.start);
+    start.shear_rate = scene.former_shear_rate;
+    save(start, "start", checkpoint);
+  }
+  save(departure_of(scene, with_materials(scene, engine.hand_over())), "end", checkpoint);
 }
 
+std::optional<Departure> start_in(const dem::Checkpoint &checkpoint) { return departure_in(checkpoint, "start"); }
+
 Scene stage_of(const StagedScene &stages, const dem::Checkpoint &checkpoint) {
-  const auto number = checkpoint.get_value<uint64_t>("stage");
-  return number == 0 ? stages.first() : stages.at(static_cast<size_t>(number), restore_handover(checkpoint));
+  const auto number = static_cast<size_t>(checkpoint.get_value<uint64_t>("stage"));
+  const std::optional<Departure> start = start_in(checkpoint);
+  return start ? stages.at(number, start->state) : stages.first();
+}
+
+Departure end_in(const dem::Checkpoint &checkpoint) {
+  std::optional<Departure> end = departure_in(checkpoint, "end");
+  if (!end) throw dem::Error("the checkpoint is of an earlier version, which only --restart goes on from");
+  end->state.beginning.step = 0;
+  end->state.beginning.time = 0;
+  return std::move(*end);
 }
 
 Scene read_scene(const std::string &path, const std::vector<Setting> &settings) {

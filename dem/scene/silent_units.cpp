@@ -3,6 +3,7 @@
 #include "dem/scene/silent_units.hpp"
 
 #include <string>
+#include <vector>
 
 namespace scene {
 namespace {
@@ -16,17 +17,33 @@ bool has_heavy_material(const Table &top, const Table &group) {
   return false;
 }
 
+// Of a table with a size law.
+void refuse_silent_radius(const Table &group, const char *sizes) {
+  const auto law = group.part(sizes);
+  if (law && law->text("law", "") != "table" && !group.has("radius"))
+    group.fail("radius", "is needed beside numbers with units, else the smallest would be 1 m");
+}
+
 }  // namespace
+
+void refuse_silent_density(const Table &top, const Table &group) {
+  if (!top.has_units() || group.flag("fixed", false) || group.has("density") || has_heavy_material(top, group)) return;
+  group.fail("density", "is needed beside numbers with units, else it would be 1 in SI, a thousandth of water's");
+}
 
 void refuse_silent_units(const Table &top) {
   if (!top.has_units()) return;
-  for (const Table &group : top.parts("particles")) {
-    const bool weighs = group.has("density") || has_heavy_material(top, group) || group.flag("fixed", false);
-    if (!weighs)
-      group.fail("density", "is needed beside numbers with units, else it would be 1 in SI, a thousandth of water's");
-    const auto pack = group.part("pack");
-    if (pack && pack->text("law", "") != "table" && !group.has("radius"))
-      group.fail("radius", "is needed beside numbers with units, else the smallest would be 1 m");
+  std::vector<Table> places = top.parts(kStage);
+  places.push_back(top);
+  for (const Table &place : places) {
+    for (const Table &group : place.parts("particles")) {
+      if (!group.has("file")) refuse_silent_density(top, group);
+      refuse_silent_radius(group, "pack");
+    }
+    for (const Table &inflow : place.parts("inflow")) {
+      refuse_silent_density(top, inflow);
+      refuse_silent_radius(inflow, "radii");
+    }
   }
 }
 

@@ -7,7 +7,10 @@
 
 namespace scene {
 
-// Throws dem::Error naming the group that leaves out its density, or a packing its radius, in a scene with units.
+// Throws dem::Error naming the group or inflow that leaves out its density, or with a size law its radius, in a scene
+// with units.
+// Of files, whose masses are not known yet, the density is left to the second function.
 void refuse_silent_units(const Table &top);
+void refuse_silent_density(const Table &top, const Table &group);
 
 }  // namespace scene

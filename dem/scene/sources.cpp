@@ -4,13 +4,13 @@
 #include "dem/scene/sources.hpp"
 
 #include "dem/base/error.hpp"
+#include "dem/scene/size_laws.hpp"
 #include "packing/event/grown_packing.hpp"
 #include "packing/packing.hpp"
 #include "packing/random.hpp"
 #include "particles/error.hpp"
 #include "particles/files/reader.hpp"
 #include "particles/text/formatted.hpp"
-#include "particles/text/lists.hpp"
 #include "particles/text/number.hpp"
 
 #include <unistd.h>
@@ -31,29 +31,6 @@ particles::ParticleSet grow(const packing::Request &request) {
     throw particles::Error("the growth jammed at density " + particles::text(packing.growth.density));
   }
   return std::move(packing.particles);
-}
-
-void read_sizes(const Table &table, const std::string &folder, packing::SizeLaw &law) {
-  if (!table.has("sizes")) return;
-  std::string fault;
-  try {
-    fault = packing::set_sizes(law, (std::filesystem::path(folder) / table.text("sizes", "")).string());
-  } catch (const particles::Error &error) {
-    fault = error.what();
-  }
-  if (!fault.empty()) table.fail("sizes", fault);
-}
-
-packing::SizeLaw read_law(const Table &table, const std::string &folder, int dimension) {
-  packing::SizeLaw law = packing::usual_law(table.choice("law", particles::names_of(packing::size_laws())));
-  law.dimension = dimension;
-  for (const packing::LawParameter *parameter : packing::law_parameters()) {
-    if (!table.has(parameter->name)) continue;
-    const std::string fault = packing::set_parameter(law, *parameter, table.number(parameter->name));
-    if (!fault.empty()) table.fail(parameter->name, fault);
-  }
-  read_sizes(table, folder, law);
-  return law;
 }
 
 // Refuses a number of particles that would not fit into this machine: a slip of the hand is told before it swaps.

@@ -36,7 +36,9 @@ std::vector<int> materials_of_walls(const Setup &setup) {
 std::vector<std::pair<size_t, size_t>> meetings(const Setup &setup) {
   const size_t count = setup.materials.size();
   std::vector<bool> of_particles(count), of_walls(count + 1);
-  for (const uint8_t id : setup.material_ids) of_particles[id] = true;
+  for (const ParticleArrays *particles : {static_cast<const ParticleArrays *>(&setup), &setup.expected}) {
+    for (const uint8_t id : particles->material_ids) of_particles[id] = true;
+  }
   for (const int material : materials_of_walls(setup)) {
     of_walls[material < 0 ? count : static_cast<size_t>(material)] = true;
   }

@@ -5,6 +5,7 @@
 
 #include "dem/effects/effects.hpp"
 #include "dem/setup/beginning.hpp"
+#include "dem/setup/region.hpp"
 #include "dem/setup/scheme.hpp"
 #include "dem/setup/wall_body.hpp"
 
@@ -29,13 +30,34 @@ struct Setup : Physics, ParticleArrays {
   int dimension = 3;
   double box_min[3]{}, box_max[3]{};
   std::vector<WallBody> walls;  // beside those of the box (surfaces)
+  std::vector<Inflow> inflows;
+  std::vector<Region> removals;
+  ParticleArrays expected;  // the smallest and the largest of those that may come, twice each: two of them can meet
   double time_step = 0;
   Scheme scheme = velocity_verlet();
   int threads = 1;      // 0: all that the machine offers. Results do not depend on it
   int level_count = 0;  // levels of the library's grid at most, 0: as many as are best. Changes the time only
   double skin = 0;      // of the library's stored candidates: changes the time, not the results
   Beginning beginning;
+
+  // -1: there is none (materials).
+  int first_material() const {
+    for (const std::vector<uint8_t> *ids : {&material_ids, &expected.material_ids}) {
+      if (!ids->empty()) return ids->front();
+    }
+    return -1;
+  }
+  bool exchanges() const { return !inflows.empty() || !removals.empty(); }
 };
+
+// All particles that there are and then those that are expected: visit(arrays, i). What is reckoned in advance, such as
+// the time step, is for both.
+template <class Visit>
+void visit_particles(const Setup &setup, Visit visit) {
+  for (const ParticleArrays *particles : {static_cast<const ParticleArrays *>(&setup), &setup.expected}) {
+    for (size_t i = 0; i < particles->count(); i++) visit(*particles, i);
+  }
+}
 
 // Throws Error naming what cannot be and its value; the time step is looked at by time_step.hpp.
 void check_setup(const Setup &setup);

@@ -32,8 +32,9 @@ struct Lot {
 std::vector<Lot> lots_of(const Setup &setup) {
   const bool several = has(setup.effects, kMaterials);
   std::vector<Lot> lots(several ? setup.materials.size() : 1);
-  for (size_t i = 0; i < setup.count(); i++)
-    lots[several ? setup.material_ids[i] : 0].add(setup.radii[i], setup.masses[i]);
+  visit_particles(setup, [&](const ParticleArrays &particles, size_t i) {
+    lots[several ? particles.material_ids[i] : 0].add(particles.radii[i], particles.masses[i]);
+  });
   return lots;
 }
 
@@ -56,10 +57,10 @@ double square_of_fall(const Setup &setup) {
     if (!setup.walled[axis] && !setup.periodic[axis]) {
       low = kInfinity;
       high = -kInfinity;
-      for (size_t i = 0; i < setup.count(); i++) {
-        low = std::min(low, setup.centers[i * dimension + axis]);
-        high = std::max(high, setup.centers[i * dimension + axis]);
-      }
+      visit_particles(setup, [&](const ParticleArrays &particles, size_t i) {
+        low = std::min(low, particles.centers[i * dimension + axis]);
+        high = std::max(high, particles.centers[i * dimension + axis]);
+      });
     }
     square += 2 * std::fabs(setup.gravity[axis]) * (high - low);
   }
@@ -86,11 +87,11 @@ double fastest_approach(const Setup &setup) {
   if (setup.impact_speed > 0) return setup.impact_speed;
   const auto dimension = static_cast<size_t>(setup.dimension);
   double fastest = 0;
-  for (size_t i = 0; i < setup.count(); i++) {
+  visit_particles(setup, [&](const ParticleArrays &particles, size_t i) {
     double square = 0;
-    for (size_t axis = 0; axis < dimension; axis++) square += std::pow(setup.velocities[i * dimension + axis], 2);
+    for (size_t axis = 0; axis < dimension; axis++) square += std::pow(particles.velocities[i * dimension + axis], 2);
     fastest = std::max(fastest, square);
-  }
+  });
   return std::sqrt(4 * fastest + square_of_fall(setup)) + fastest_wall(setup);
 }
 

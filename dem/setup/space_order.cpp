@@ -28,26 +28,27 @@ void reorder_rows(std::vector<Item> &rows, size_t count, const std::vector<uint3
 
 }  // namespace
 
-std::vector<uint32_t> space_order(const Setup &setup) {
-  const auto dimension = static_cast<size_t>(setup.dimension);
+std::vector<uint32_t> space_order(const std::vector<double> &centers, int dimension) {
+  const auto width = static_cast<size_t>(dimension);
+  const size_t count = centers.size() / width;
   double low[3], extent = 0;
-  for (size_t axis = 0; axis < dimension; axis++) {
+  for (size_t axis = 0; axis < width; axis++) {
     double least = kInfinity, most = -kInfinity;
-    for (size_t i = 0; i < setup.count(); i++) {
-      least = std::min(least, setup.centers[i * dimension + axis]);
-      most = std::max(most, setup.centers[i * dimension + axis]);
+    for (size_t i = 0; i < count; i++) {
+      least = std::min(least, centers[i * width + axis]);
+      most = std::max(most, centers[i * width + axis]);
     }
     low[axis] = least;
     extent = std::max(extent, most - least);
   }
   const double scale = extent > 0 ? ((1 << kBits) - 1) / extent : 0;
-  std::vector<uint64_t> places(setup.count());
-  for (size_t i = 0; i < setup.count(); i++) {
+  std::vector<uint64_t> places(count);
+  for (size_t i = 0; i < count; i++) {
     uint32_t cell[3]{};
-    for (size_t axis = 0; axis < dimension; axis++) {
-      cell[axis] = static_cast<uint32_t>((setup.centers[i * dimension + axis] - low[axis]) * scale);
+    for (size_t axis = 0; axis < width; axis++) {
+      cell[axis] = static_cast<uint32_t>((centers[i * width + axis] - low[axis]) * scale);
     }
-    places[i] = packing::morton_place(cell, setup.dimension, kBits);
+    places[i] = packing::morton_place(cell, dimension, kBits);
   }
   return packing::order_by_place<uint32_t>(places);
 }

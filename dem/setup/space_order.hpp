@@ -11,7 +11,8 @@
 namespace dem {
 
 // order[k] is the particle that comes k-th along a Z curve through all centres (Morton 1966).
-std::vector<uint32_t> space_order(const Setup &setup);
+std::vector<uint32_t> space_order(const std::vector<double> &centers, int dimension);
+inline std::vector<uint32_t> space_order(const Setup &setup) { return space_order(setup.centers, setup.dimension); }
 
 // The same setup with its particles in that order.
 Setup reordered(const Setup &setup, const std::vector<uint32_t> &order);

@@ -45,9 +45,9 @@ StepLimit step_limit(const Setup &setup) {
   }
   if (has(setup.effects, kDrag)) {
     double fastest = 0;  // how fast drag slows a particle
-    for (size_t i = 0; i < setup.count(); i++) {
-      fastest = std::max(fastest, drag_of(setup) * setup.radii[i] / setup.masses[i]);
-    }
+    visit_particles(setup, [&](const ParticleArrays &particles, size_t i) {
+      fastest = std::max(fastest, drag_of(setup) * particles.radii[i] / particles.masses[i]);
+    });
     lower(limit, 0.1 / fastest, "drag stops the lightest particle within " + text(1 / fastest));
   }
   return limit;

@@ -76,6 +76,22 @@ struct Bodies {
     if (has(effects, kMaterials)) materials.resize(count);
   }
 
+  // Particle order[k] of these comes k-th; behind them is room for `more`, without forces and spins.
+  Bodies reordered(const std::vector<uint32_t> &order, size_t more) const {
+    Bodies result;
+    const auto take = [&](const auto &rows, auto &taken) {
+      if (rows.empty()) return;
+      taken.reserve(order.size() + more);
+      for (const uint32_t i : order) taken.push_back(rows[i]);
+      taken.resize(order.size() + more);
+    };
+    take(places, result.places);
+    take(moves, result.moves);
+    take(turns, result.turns);
+    take(materials, result.materials);
+    return result;
+  }
+
   size_t bytes() const {
     return sizeof(Row<Real>) * count() + sizeof(Course<Real>) * (moves.size() + turns.size()) + materials.size();
   }

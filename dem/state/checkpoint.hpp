@@ -32,6 +32,8 @@ class Checkpoint {
     put(name, &value, 1);
   }
 
+  bool holds(const std::string &name) const { return blocks_.count(name) > 0; }
+
   // Throw Error if there is no such block or it does not hold `count` items.
   template <class T>
   void get(const std::string &name, T *items, size_t count) const {

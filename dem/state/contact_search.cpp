@@ -4,15 +4,18 @@
 #include "dem/state/contact_search.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <vector>
 
 namespace dem {
 double usable_skin(const Setup &setup, double slack) {
-  if (setup.count() == 0) return 0;
-  double skin = std::min(setup.skin, 2 * *std::min_element(setup.radii.begin(), setup.radii.end()));
-  std::vector<double> largest(2);  // of two different particles
-  std::partial_sort_copy(setup.radii.begin(), setup.radii.end(), largest.begin(), largest.end(), std::greater<>());
+  double skin = setup.skin;
+  double largest[2]{};  // of two different particles
+  visit_particles(setup, [&](const ParticleArrays &particles, size_t i) {
+    const double radius = particles.radii[i];
+    skin = std::min(skin, 2 * radius);
+    largest[1] = std::max(largest[1], std::min(largest[0], radius));
+    largest[0] = std::max(largest[0], radius);
+  });
   const double growth = has(setup.effects, kGrowth) ? std::max(1.0, 1 + setup.growth_rate * setup.growth_end) : 1;
   const double widest = growth * (largest[0] + largest[1]) + contact_range(setup) + slack;
   for (int axis = 0; axis < setup.dimension; axis++) {
@@ -48,12 +51,17 @@ ContactSearch::ContactSearch(const Setup &setup, double slack)
   grid_.insert(count_, setup.centers.data(), setup.radii.data());
 }
 
-PairView ContactSearch::find(const hg_array *centers, const hg_array *radius, double offset) {
+PairView ContactSearch::find(size_t count, const hg_array *centers, const hg_array *radius, double offset) {
   if (sheared_) {
     const double tilt[3] = {offset, 0, 0};
     grid_.set_box(def_.box_min, def_.box_max, tilt);
   }
-  grid_.move_arrays(count_, centers, radius);
+  if (count == count_) {
+    grid_.move_arrays(count, centers, radius);
+  } else {
+    grid_.set_arrays(count, centers, radius);
+    count_ = count;
+  }
   return grid_.query_pairs();
 }
 

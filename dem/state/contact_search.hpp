@@ -22,7 +22,8 @@ using PairView = hgrid::View<hg_pair>;
 template <class Real>
 double rounding_slack(const Setup &setup) {
   double longest = 2 * contact_range(setup);
-  for (const double radius : setup.radii) longest = std::max(longest, 4 * radius);
+  visit_particles(
+      setup, [&](const ParticleArrays &particles, size_t i) { longest = std::max(longest, 4 * particles.radii[i]); });
   for (int axis = 0; axis < setup.dimension; axis++) {
     if (setup.periodic[axis]) longest += setup.box_max[axis] - setup.box_min[axis];
   }
@@ -44,10 +45,15 @@ class ContactSearch {
 
   double skin() const { return skin_; }
 
-  // The pairs that act on each other or could after each has moved and grown by half the skin; radii null if they have
-  // not changed. `offset` is how far the images above have moved along x (shear): the tilt of the periodic cell. The
-  // result lasts until the next call.
-  PairView find(const hg_array *centers, const hg_array *radius, double offset);
+  // The pairs that act on each other or could after each has moved and grown by half the skin; radii null if they and
+  // the number of particles have not changed. `offset` is how far the images above have moved along x (shear): the tilt
+  // of the periodic cell. The result lasts until the next call.
+  PairView find(size_t count, const hg_array *centers, const hg_array *radius, double offset);
+
+  // Particles that a ball acts on, or could after half the skin of either side; for the places of the last search.
+  hgrid::View<int32_t> near_ball(const double *center, double radius) const {
+    return grid_.query_sphere(center, radius);
+  }
 
   // Particles that triangles, [count][3 corners][3], act on or could after half the skin of either side; for the places
   // of the last search, as long as that of others is not asked for.

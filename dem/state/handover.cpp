@@ -44,24 +44,24 @@ ContactMemory renumbered(const ContactMemory &memory, Rename rename) {
 
 // All arrays of a handover under the names that they have in checkpoints: what is written and what is read is one list.
 template <class SomeHandover, class Visit>
-void visit_arrays(SomeHandover &handover, Visit visit) {
-  visit("start centers", handover.particles.centers);
-  visit("start velocities", handover.particles.velocities);
-  visit("start radii", handover.particles.radii);
-  visit("start masses", handover.particles.masses);
-  visit("start spins", handover.particles.spins);
-  visit("start materials", handover.particles.material_ids);
+void visit_arrays(SomeHandover &handover, const std::string &when, Visit visit) {
+  visit(when + " centers", handover.particles.centers);
+  visit(when + " velocities", handover.particles.velocities);
+  visit(when + " radii", handover.particles.radii);
+  visit(when + " masses", handover.particles.masses);
+  visit(when + " spins", handover.particles.spins);
+  visit(when + " materials", handover.particles.material_ids);
   const auto visit_memory = [&](const std::string &name, auto &memory) {
     visit(name + " pairs", memory.pairs);
     for (size_t k = 0; k < kHistoryCount; k++) visit(name + " rows " + std::to_string(k), memory.rows[k]);
   };
-  visit_memory("start pair", handover.beginning.pairs);
-  visit_memory("start wall", handover.beginning.walls);
-  visit_memory("start surface", handover.beginning.surfaces);
+  visit_memory(when + " pair", handover.beginning.pairs);
+  visit_memory(when + " wall", handover.beginning.walls);
+  visit_memory(when + " surface", handover.beginning.surfaces);
 }
 
 // Names may be of any length, so they stand one after the other, each with a 0 at its end.
-void save_places(const std::vector<NamedPlace> &places, Checkpoint &checkpoint) {
+void save_places(const std::vector<NamedPlace> &places, const std::string &when, Checkpoint &checkpoint) {
   std::string names;
   std::vector<double> numbers;
   std::vector<uint64_t> surfaces;
@@ -71,19 +71,19 @@ void save_places(const std::vector<NamedPlace> &places, Checkpoint &checkpoint) 
     numbers.insert(numbers.end(), {wall.place.angle, wall.place.press_speed});
     surfaces.insert(surfaces.end(), {wall.first_surface, wall.surface_count});
   }
-  checkpoint.put("start wall names", names.data(), names.size());
-  checkpoint.put("start wall places", numbers);
-  checkpoint.put("start wall surfaces", surfaces);
+  checkpoint.put(when + " wall names", names.data(), names.size());
+  checkpoint.put(when + " wall places", numbers);
+  checkpoint.put(when + " wall surfaces", surfaces);
 }
 
-std::vector<NamedPlace> restore_places(const Checkpoint &checkpoint) {
+std::vector<NamedPlace> restore_places(const std::string &when, const Checkpoint &checkpoint) {
   std::vector<char> names;
   std::vector<uint64_t> surfaces;
-  checkpoint.get_all("start wall names", names);
-  checkpoint.get_all("start wall surfaces", surfaces);
+  checkpoint.get_all(when + " wall names", names);
+  checkpoint.get_all(when + " wall surfaces", surfaces);
   std::vector<NamedPlace> places(surfaces.size() / 2);
   std::vector<double> numbers(5 * places.size());
-  checkpoint.get("start wall places", numbers);
+  checkpoint.get(when + " wall places", numbers);
   auto name = names.begin();
   for (size_t k = 0; k < places.size(); k++) {
     const auto end = std::find(name, names.end(), '\0');
@@ -131,21 +131,21 @@ ContactMemory renumbered_walls(const ContactMemory &memory, const std::vector<ui
   });
 }
 
-void save_handover(const Handover &handover, Checkpoint &checkpoint) {
-  checkpoint.put_value("start step", handover.beginning.step);
-  checkpoint.put_value("start time", handover.beginning.time);
-  checkpoint.put_value("start image offset", handover.beginning.image_offset);
-  visit_arrays(handover, [&](const std::string &name, const auto &items) { checkpoint.put(name, items); });
-  save_places(handover.beginning.wall_places, checkpoint);
+void save_handover(const Handover &handover, const std::string &when, Checkpoint &checkpoint) {
+  checkpoint.put_value(when + " step", handover.beginning.step);
+  checkpoint.put_value(when + " time", handover.beginning.time);
+  checkpoint.put_value(when + " image offset", handover.beginning.image_offset);
+  visit_arrays(handover, when, [&](const std::string &name, const auto &items) { checkpoint.put(name, items); });
+  save_places(handover.beginning.wall_places, when, checkpoint);
 }
 
-Handover restore_handover(const Checkpoint &checkpoint) {
+Handover restore_handover(const std::string &when, const Checkpoint &checkpoint) {
   Handover handover;
-  handover.beginning.step = checkpoint.get_value<uint64_t>("start step");
-  handover.beginning.time = checkpoint.get_value<double>("start time");
-  handover.beginning.image_offset = checkpoint.get_value<double>("start image offset");
-  visit_arrays(handover, [&](const std::string &name, auto &items) { checkpoint.get_all(name, items); });
-  handover.beginning.wall_places = restore_places(checkpoint);
+  handover.beginning.step = checkpoint.get_value<uint64_t>(when + " step");
+  handover.beginning.time = checkpoint.get_value<double>(when + " time");
+  handover.beginning.image_offset = checkpoint.get_value<double>(when + " image offset");
+  visit_arrays(handover, when, [&](const std::string &name, auto &items) { checkpoint.get_all(name, items); });
+  handover.beginning.wall_places = restore_places(when, checkpoint);
   return handover;
 }
 

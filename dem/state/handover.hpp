@@ -7,6 +7,7 @@
 #include "dem/state/checkpoint.hpp"
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace dem {
@@ -27,8 +28,8 @@ Handover without(const Handover &handover, const std::vector<bool> &gone);
 ContactMemory renumbered_pairs(const ContactMemory &memory, const std::vector<uint32_t> &numbers);
 ContactMemory renumbered_walls(const ContactMemory &memory, const std::vector<uint32_t> &numbers);
 
-// Beside what a simulation itself has saved.
-void save_handover(const Handover &handover, Checkpoint &checkpoint);
-Handover restore_handover(const Checkpoint &checkpoint);
+// Beside what a simulation itself has saved; `when` tells one of several from the others.
+void save_handover(const Handover &handover, const std::string &when, Checkpoint &checkpoint);
+Handover restore_handover(const std::string &when, const Checkpoint &checkpoint);
 
 }  // namespace dem

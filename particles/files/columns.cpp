@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 #include <utility>
 
 namespace particles {
@@ -144,14 +145,18 @@ int settle_dimension(const LineCursor &cursor, const Columns &columns, int asked
 
 namespace {
 
-// What a vector is called before the letter or number of its axis.
+// What a vector is called before the letter or number of its axis, and a number altogether.
 struct Motion {
   const char *name;
+  size_t width;
   std::initializer_list<const char *> stems;
 };
 
-const Motion kMotions[] = {{"velocity", {"v", "velocity_", "velo.", "velocity.", "velocities.", "vel.", "v."}},
-                           {"spin", {"omega", "spin_", "spin.", "angular_velocity.", "omega."}}};
+const Motion kMotions[] = {{"velocity", 3, {"v", "velocity_", "velo.", "velocity.", "velocities.", "vel.", "v."}},
+                           {"spin", 3, {"omega", "spin_", "spin.", "angular_velocity.", "omega."}},
+                           {"mass", 1, {"mass"}},
+                           {"material", 1, {"material"}}};
+constexpr int kMotionCount = static_cast<int>(std::size(kMotions));
 
 bool has_motion(const Columns &columns, int kind) {
   const int *axis = columns.motion[kind];
@@ -161,6 +166,10 @@ bool has_motion(const Columns &columns, int kind) {
 // All components along axes that there are, else none.
 void find_motion(const LineCursor &cursor, Columns &columns, int kind) {
   for (const std::string stem : kMotions[kind].stems) {
+    if (kMotions[kind].width == 1) {
+      columns.motion[kind][0] = find_column(cursor, columns, stem);
+      continue;
+    }
     const char *axes = stem.back() == '.' ? "012" : "xyz";
     int found[3];
     for (int axis = 0; axis < 3; axis++) found[axis] = find_column(cursor, columns, stem + axes[axis]);
@@ -176,7 +185,7 @@ void find_motion(const LineCursor &cursor, Columns &columns, int kind) {
 void find_further_columns(const LineCursor &cursor, Columns &columns, const ReadOptions &options) {
   if (options.ids) columns.id = asked_column(cursor, columns, "id");
   if (options.types && columns.type < 0) find_type(cursor, columns, "");
-  for (int kind = 0; options.motion && kind < 2; kind++) find_motion(cursor, columns, kind);
+  for (int kind = 0; options.motion && kind < kMotionCount; kind++) find_motion(cursor, columns, kind);
 }
 
 RowReader::RowReader(const LineCursor &cursor, const Columns &columns, const ReadOptions &options,
@@ -191,9 +200,9 @@ RowReader::RowReader(const LineCursor &cursor, const Columns &columns, const Rea
   take(columns.diameter, kDiameter);
   take(columns.type, kType);
   take(columns.id, kId);
-  for (int kind = 0; kind < 2; kind++) {
-    for (int axis = 0; axis < 3; axis++) take(columns.motion[kind][axis], Slot(kVelocity + 3 * kind + axis));
-    if (has_motion(columns, kind)) particles.columns.push_back({kMotions[kind].name, 3, {}});
+  for (int kind = 0; kind < kMotionCount; kind++) {
+    for (int axis = 0; axis < 3; axis++) take(columns.motion[kind][axis], Slot(kMotion + 3 * kind + axis));
+    if (has_motion(columns, kind)) particles.columns.push_back({kMotions[kind].name, kMotions[kind].width, {}});
   }
   if (!options.motion) return;
   for (size_t k = 0; k < columns.names.size(); k++)
@@ -212,12 +221,15 @@ void RowReader::append_further(const std::string_view (&fields)[kSlots]) {
   if (columns_.id >= 0) particles_.ids.emplace_back(without_quotes(trimmed(fields[kId])));
   if (options_.types) particles_.types.emplace_back(without_quotes(trimmed(fields[kType])));
   size_t place = 0;
-  for (int kind = 0; kind < 2; kind++) {
+  for (int kind = 0; kind < kMotionCount; kind++) {
     if (!has_motion(columns_, kind)) continue;
     std::vector<double> &values = particles_.columns[place++].values;
-    for (int axis = 0; axis < 3; axis++) {
+    for (size_t axis = 0; axis < kMotions[kind].width; axis++) {
       const int column = columns_.motion[kind][axis];
-      values.push_back(column < 0 ? 0 : number_in(cursor_, columns_, fields[kVelocity + 3 * kind + axis], column));
+      const std::string_view field = column < 0 ? "0" : fields[static_cast<size_t>(kMotion + 3 * kind) + axis];
+      // The mass of what nothing moves.
+      const bool endless = kMotions[kind].width == 1 && trimmed(field) == "inf";
+      values.push_back(endless ? HUGE_VAL : column < 0 ? 0 : number_in(cursor_, columns_, field, column));
     }
   }
 }

@@ -24,10 +24,11 @@ struct Columns {
   bool is_diameter = false;
   int diameter = -1;  // beside a radius: must be twice as long
   int id = -1;
-  int type = -1;                                    // the column on which ReadOptions::type_radii is looked up
-  int motion[2][3] = {{-1, -1, -1}, {-1, -1, -1}};  // velocity and spin
-  double radius = 0;                                // of all particles, where no column tells it
-  bool scaled[3] = {false, false, false};           // the coordinate counts in edges of the box from its lower corner
+  int type = -1;  // the column on which ReadOptions::type_radii is looked up
+  // Of what belongs to the motion: velocity, spin, mass, material; of the last two only the first.
+  int motion[4][3] = {{-1, -1, -1}, {-1, -1, -1}, {-1, -1, -1}, {-1, -1, -1}};
+  double radius = 0;                       // of all particles, where no column tells it
+  bool scaled[3] = {false, false, false};  // the coordinate counts in edges of the box from its lower corner
 
   // No more rows than this fit in so many bytes, whatever a file claims: a value and what ends it take two.
   size_t most_rows(size_t bytes) const { return bytes / (2 * names.size()) + 1; }
@@ -46,8 +47,8 @@ void rename_columns(const LineCursor &cursor, Columns &columns, const ReadOption
 // variable of LAMMPS ("c_radius"). Whole words come before letters. Fails at the cursor's line if there is none.
 void find_size(const LineCursor &cursor, Columns &columns, const ReadOptions &options);
 
-// Finds velocity and spin, and ids and types, as far as the options ask for them. Fails at the cursor's line where ids
-// or types are missing.
+// Finds what belongs to the motion, and ids and types, as far as the options ask for them. Fails at the cursor's line
+// where ids or types are missing.
 void find_further_columns(const LineCursor &cursor, Columns &columns, const ReadOptions &options);
 
 // The column called `name`, -1 if there is none: spelled so, else whatever the case. Fails at the cursor's line if
@@ -67,7 +68,7 @@ class RowReader {
   void append(std::string_view line);
 
  private:
-  enum Slot { kX, kY, kZ, kSize, kDiameter, kType, kId, kVelocity, kSpin = kVelocity + 3, kSlots = kSpin + 3, kUnused };
+  enum Slot { kX, kY, kZ, kSize, kDiameter, kType, kId, kMotion, kSlots = kMotion + 12, kUnused };
 
   size_t split(std::string_view line, std::string_view (&fields)[kSlots]) const;
   double size(std::string_view field, int column) const;

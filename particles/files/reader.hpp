@@ -22,7 +22,7 @@ struct ReadOptions {
   std::string diameter;             // the column that holds it
   std::map<std::string, double, std::less<>> type_radii;  // the radius of each type
   bool needs_box = true;  // false: another box is used, so a cell that no grid takes is passed over
-  bool motion = false;    // also velocity and spin, where there are such columns, and the names of those not read
+  bool motion = false;    // also velocity, spin, mass, material where there are such columns; names of others
   bool ids = false;       // also the column id
   bool types = false;     // also the column type
 };

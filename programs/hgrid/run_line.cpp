@@ -25,13 +25,17 @@ void RunLine::show(uint64_t step, const dem::Measurement &m) {
 
 void print_scene(const scene::Scene &scene, const std::string &path) {
   const dem::Setup &setup = scene.setup;
-  const auto [smallest, largest] = std::minmax_element(setup.radii.begin(), setup.radii.end());
+  double smallest = dem::kInfinity, largest = 0;
+  visit_particles(setup, [&](const dem::ParticleArrays &particles, size_t i) {
+    smallest = std::min(smallest, particles.radii[i]);
+    largest = std::max(largest, particles.radii[i]);
+  });
   std::printf("%s: %s\n", path.c_str(), scene.title.c_str());
   if (!scene.stage_name.empty())
     std::printf("stage %zu: %s, from step %llu on\n", scene.stage + 1, scene.stage_name.c_str(),
                 static_cast<unsigned long long>(setup.beginning.step));
   std::printf("%zu %s, radii %.6g to %.6g; effects: %s\n", setup.count(), setup.dimension == 2 ? "discs" : "spheres",
-              *smallest, *largest, dem::names_of(setup.effects).c_str());
+              smallest, largest, dem::names_of(setup.effects).c_str());
   std::printf("shortest contact %.6g, %llu steps of %.6g (%s), skin %.6g\n", scene.shortest_contact,
               static_cast<unsigned long long>(scene.steps - setup.beginning.step), setup.time_step,
               setup.scheme.name.c_str(), setup.skin);

@@ -19,20 +19,20 @@ namespace command {
 // A line about the run as it goes: wiped and rewritten on a terminal, one after the other elsewhere.
 class RunLine {
  public:
-  RunLine(uint64_t first, uint64_t last, size_t particles)
-      : first_(first), last_(last), particles_(static_cast<double>(particles)) {}
+  RunLine(uint64_t first, uint64_t last) : first_(first), last_(last) {}
 
   // How many steps to do until the next look at the clock: those of about a tenth of a second.
   uint64_t patience() const {
     return seconds_ > 0 ? std::max<uint64_t>(1, static_cast<uint64_t>(0.1 * done_ / seconds_)) : 1;
   }
 
-  void worked(uint64_t steps, double seconds) {
+  void worked(uint64_t steps, size_t particles, double seconds) {
     done_ += static_cast<double>(steps);
+    moves_ += static_cast<double>(steps) * static_cast<double>(particles);
     seconds_ += seconds;
   }
 
-  double ns_per_particle_step() const { return done_ > 0 ? 1e9 * seconds_ / (done_ * particles_) : 0; }
+  double ns_per_particle_step() const { return moves_ > 0 ? 1e9 * seconds_ / moves_ : 0; }
   double seconds() const { return seconds_; }
 
   bool is_due() const { return measure::seconds_since(shown_) > (line_.is_seen() ? 0.5 : 10.0); }
@@ -43,7 +43,7 @@ class RunLine {
 
  private:
   uint64_t first_, last_;
-  double particles_, done_ = 0, seconds_ = 0;
+  double done_ = 0, moves_ = 0, seconds_ = 0;  // steps, of particles
   particles::StatusLine line_;
   std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
 };

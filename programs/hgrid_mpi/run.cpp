@@ -50,6 +50,7 @@ void refuse_unknown(const scene::StagedScene &stages, const scene::Scene &scene,
   if (scene.output.formats != std::vector<std::string>{"vtp"})
     refuse("formats = " + particles::joined(scene.output.formats) +
            " of [output]: over ranks pictures are vtp alone, with an index .pvtp");
+  if (!scene.output.regions.empty()) refuse("[[region]]" + not_yet);
   const std::string fault = dem::ranks::fault_over_ranks(scene.setup);
   if (!fault.empty()) refuse(fault);
 }
@@ -76,7 +77,8 @@ class RankRun {
         files_(files),
         options_(options),
         first_(engine.steps_done()),
-        line_(engine.steps_done(), scene.steps, particles) {}
+        particles_(particles),
+        line_(engine.steps_done(), scene.steps) {}
 
   // To the end, or to the first interrupt: then the checkpoint holds the state.
   void go() {
@@ -89,7 +91,7 @@ class RankRun {
         until = std::min(until, next_after(step, interval, until));
       const auto start = std::chrono::steady_clock::now();
       engine_.run(until - step);
-      line_.worked(until - step, measure::seconds_since(start));
+      line_.worked(until - step, particles_, measure::seconds_since(start));
       record();
     }
     line_.wipe();
@@ -119,7 +121,7 @@ class RankRun {
     if (row || shows || again) {
       const auto start = std::chrono::steady_clock::now();
       const dem::Measurement m = engine_.measure();
-      line_.worked(0, measure::seconds_since(start));
+      line_.worked(0, 0, measure::seconds_since(start));
       if (!std::isfinite(m.energy()))
         throw particles::Error("the energy is not finite at step " + std::to_string(step));
       if (row) files_.measurement(step, m);
@@ -148,6 +150,7 @@ class RankRun {
   const RankRunOptions &options_;
   const Interrupt interrupt_;
   uint64_t first_;
+  size_t particles_;
   RunLine line_;
 };
 
@@ -201,7 +204,6 @@ void run(const RankRunOptions &options) {
   dem::Watch watch(scene.setup);
   // From here on each rank has its own particles alone.
   static_cast<dem::ParticleArrays &>(scene.setup) = {};
-  scene.material_ids = {};
   dem::ranks::RankFiles files(ranks, scene.output.directory, done);
   RankRun this_run(ranks, scene, particles, watch, *engine, files, options);
   this_run.go();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
 // Materials in scene files: what [[material]] and [[pair]] mean, and what is refused with which words.
+#include "dem/base/vector.hpp"
 #include "tests/dem/scene_text.hpp"
 #include "tests/support/frame.h"
 
@@ -51,6 +52,34 @@ void other_tables_say_what_holds_for_all(void **) {
   }
   assert_true(good);
 }
+
+// A picture of a run has masses and materials, which stay unless the group says something else.
+bool files_bring_them() {
+  const std::string file =
+      (std::filesystem::temp_directory_path() / ("hgrid-test-masses-" + std::to_string(getpid()) + ".csv")).string();
+  std::ofstream(file) << "x,y,z,radius,mass,material\n0,0,0,1,5,1\n9,0,0,1,inf,0\n0,9,0,1,3,1\n";
+  const std::string group = "[[particles]]\nfile = \"" + file + "\"\n", time = "[time]\nsteps = 1\n",
+                    rest = time + "[contact]\nstiffness = 1e4\n",
+                    steel = "[[material]]\nname = \"steel\"\nstiffness = 5e4\n";
+  const dem::Setup plain = read(group + rest).setup, dense = read(group + "density = 3\n" + rest).setup,
+                   both = read(group + rest + kGlass + steel).setup,
+                   glass = read(group + "material = \"glass\"\n" + rest + kGlass + steel).setup,
+                   light = read(group + "material = \"steel\"\n" + rest + kGlass + steel).setup;
+  const std::vector<double> masses = {5, dem::kImmovable, 3};
+  const bool stay = plain.masses == masses && both.masses == masses && light.masses == masses &&
+                    both.material_ids == std::vector<uint8_t>{1, 0, 1};
+  const bool give_way = is(dense.masses[1], 4 * dem::kPi) && is(glass.masses[0], 8 * dem::kPi / 3);
+  const bool refused =
+      is_refused(group + rest + kGlass, ":2: particles.file: particle 1 is of material 1, and the scene has 1");
+  const std::string in_units = group + time + "[contact]\nstiffness = \"1e4 N/m\"\n";
+  const bool in_si = read(in_units).setup.masses == masses;
+  std::ofstream(file) << "x,y,z,radius\n0,0,0,1\n";
+  const bool silent = is_refused(in_units, ":1: particles.density: is needed beside numbers with units");
+  std::filesystem::remove(file);
+  return stay && give_way && refused && in_si && silent;
+}
+
+void files_bring_masses_and_materials(void **) { assert_true(files_bring_them()); }
 
 void walls_name_their_material(void **) {
   bool good = true;
@@ -129,9 +158,13 @@ void faults_of_pairs_are_named(void **) {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(scenes_have_materials),         cmocka_unit_test(other_tables_say_what_holds_for_all),
-      cmocka_unit_test(walls_name_their_material),     cmocka_unit_test(one_material_is_no_effect),
-      cmocka_unit_test(faults_of_materials_are_named), cmocka_unit_test(faults_of_pairs_are_named),
+      cmocka_unit_test(scenes_have_materials),
+      cmocka_unit_test(other_tables_say_what_holds_for_all),
+      cmocka_unit_test(files_bring_masses_and_materials),
+      cmocka_unit_test(walls_name_their_material),
+      cmocka_unit_test(one_material_is_no_effect),
+      cmocka_unit_test(faults_of_materials_are_named),
+      cmocka_unit_test(faults_of_pairs_are_named),
   };
   return cmocka_run_group_tests_name("material scenes", tests, nullptr, nullptr);
 }

@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 
 namespace {
@@ -231,6 +232,83 @@ double seam_of_shear() {
 
 void images_stay_where_shear_has_moved_them(void **) { assert_true(seam_of_shear() < 1e-10); }
 
+// Rough balls of two materials in a swinging box; what follows differs in gravity and friction.
+const std::string kBegins =
+    "[[particles]]\nlattice = {counts = [4, 4, 4], spacing = 1.99, origin = [1, 1, 1]}\nradius = 1\ntemperature = 2\n"
+    "material = \"glass\"\n[[particles]]\nat = [[4, 4, 9.2]]\nradius = 1\nmaterial = \"steel\"\n"
+    "[dissipation]\nrestitution = 0.7\n[friction]\ncoefficient = 0.3\n[rolling]\ncoefficient = 0.1\n"
+    "[contact]\nstiffness = 1e4\n[box]\nmax = [8, 8, 20]\n"
+    "[[wall]]\nname = \"floor\"\npoint = [0, 0, 0.1]\nnormal = [0, 0, 1]\nvelocity = [0.1, 0, 0.2]\n";
+const std::string kGlass = "[[material]]\nname = \"glass\"\ndensity = 2\n",
+                  kSteel = "[[material]]\nname = \"steel\"\ndensity = 7\n";
+const std::string kGravity = "gravity]\nacceleration = [0, 0, -3]\n", kRougher = "friction]\ncoefficient = 0.6\n";
+
+dem::Checkpoint checkpoint_after(const scene::StagedScene &stages, size_t stage_count) {
+  scene::Scene scene = stages.first();
+  for (size_t stage = 0;; stage++) {
+    const auto engine = dem::make_engine(scene.setup, scene.precision);
+    engine->run(scene.steps - engine->steps_done());
+    if (stage + 1 < stage_count) {
+      scene = stages.after(scene, engine->hand_over());
+      continue;
+    }
+    dem::Checkpoint checkpoint;
+    scene::save(scene, *engine, checkpoint);
+    return checkpoint;
+  }
+}
+
+// Another scene goes on from a checkpoint as a stage would, without particles of its own, its materials in another
+// order.
+bool goes_on_as_a_stage() {
+  const std::string whole =
+      write_file(kBegins + kGlass + kSteel + "[[stage]]\nsteps = 300\n[[stage]]\nsteps = 200\n[stage." + kGravity +
+                 "[stage." + kRougher);
+  const dem::Checkpoint expected = checkpoint_after(scene::StagedScene(whole), 2);
+  const std::string begins = write_file(kBegins + kGlass + kSteel + "[time]\nsteps = 300\n");
+  const dem::Checkpoint left = checkpoint_after(scene::StagedScene(begins), 1);
+  std::string text =
+      kBegins.substr(kBegins.find("[dissipation]")) + kSteel + kGlass + "[time]\nsteps = 200\n[" + kGravity;
+  text.replace(text.find("[friction]\ncoefficient = 0.3"), 28, "[friction]\ncoefficient = 0.6");
+  const std::string goes_on = write_file(text);
+  const scene::StagedScene stages(goes_on, {}, scene::end_in(left));
+  const dem::Checkpoint found = checkpoint_after(stages, 1);
+  const dem::Handover a = scene::end_in(expected).state, b = scene::end_in(found).state;
+  const bool same = a.particles.centers == b.particles.centers && a.particles.velocities == b.particles.velocities &&
+                    a.particles.spins == b.particles.spins && a.particles.masses == b.particles.masses &&
+                    a.beginning.pairs.rows[0] == b.beginning.pairs.rows[0];
+  std::printf("from a checkpoint: %zu springs, floor at %.3f\n", b.beginning.pairs.pairs.size(),
+              b.beginning.wall_places[0].place.shift[2]);
+  // And it can be restarted, though it has no particles of its own.
+  const scene::StagedScene again(goes_on, {}, scene::start_in(found));
+  const scene::Scene scene = scene::stage_of(again, found);
+  const auto engine = dem::make_engine(scene.setup);
+  engine->restore(found);
+  std::filesystem::remove(whole);
+  return same && b.beginning.pairs.pairs.size() > 20 && b.particles.material_ids.back() == 0 &&
+         engine->snapshot().centers == b.particles.centers;
+}
+
+void another_scene_goes_on_as_a_stage_would(void **) { assert_true(goes_on_as_a_stage()); }
+
+bool strangers_are_refused() {
+  const std::string begins = write_file(kBegins + kGlass + kSteel + "[time]\nsteps = 1\n");
+  const dem::Checkpoint left = checkpoint_after(scene::StagedScene(begins), 1);
+  const auto refused = [&](const std::string &text, const char *part) {
+    const std::string path = write_file(text);
+    return test::is_refused(part, [&] { scene::StagedScene(path, {}, scene::end_in(left)); });
+  };
+  const std::string rest = kBegins.substr(kBegins.find("[dissipation]")) + "[time]\nsteps = 1\n";
+  const bool all = refused(rest + kSteel,
+                           ": material: the checkpoint holds particles of the material 'glass', and the "
+                           "scene has steel") &&
+                   refused("dimension = 2\n" + rest, ": dimension: the checkpoint is of 3 dimensions");
+  std::filesystem::remove(begins);
+  return all;
+}
+
+void checkpoints_that_do_not_fit_are_refused(void **) { assert_true(strangers_are_refused()); }
+
 void faults_of_stages_are_named(void **) {
   const std::string two = kBall + "[[stage]]\nsteps = 1\n[[stage]]\nsteps = 1\n";
   const auto refused = [&](const std::string &text, const char *start) {
@@ -265,6 +343,8 @@ int main() {
       cmocka_unit_test(who_stays_keeps_its_contacts),
       cmocka_unit_test(a_stage_that_changes_nothing_leaves_no_seam),
       cmocka_unit_test(images_stay_where_shear_has_moved_them),
+      cmocka_unit_test(another_scene_goes_on_as_a_stage_would),
+      cmocka_unit_test(checkpoints_that_do_not_fit_are_refused),
       cmocka_unit_test(faults_of_stages_are_named),
   };
   return cmocka_run_group_tests_name("stages", tests, nullptr, nullptr);

@@ -50,6 +50,21 @@ void centres_behind_walls_are_seen(void **) {
   assert_true(holds(warnings_of(setup, 0, 0), "centres of particles lie behind walls: 2"));
 }
 
+void planes_that_swing_are_seen(void **) {
+  dem::Setup setup = pair_of(2);
+  dem::WallBody piston;
+  piston.point[0] = 3;
+  piston.normal[0] = -1;
+  piston.force = 10;
+  setup.effects |= dem::kSurfaces;
+  bodies::set_walls(setup, 0, -1, 100);
+  piston.fastest = 3 * piston.force / (1e4 * setup.time_step);
+  setup.walls = {piston};
+  assert_true(holds(warnings_of(setup, 100, 1), "a plane that presses swings without end: its speed is 1.5 times"));
+  setup.walls[0].fastest /= 3;
+  assert_true(!holds(warnings_of(setup, 100, 1), "swings"));
+}
+
 void crowds_are_seen(void **) {
   dem::Setup setup;
   bodies::set_linear(setup, 1e4, 0.001);
@@ -105,11 +120,9 @@ void sound_runs_are_not_warned_of(void **) {
 
 int main() {
   const CMUnitTest tests[] = {
-      cmocka_unit_test(deep_starts_are_seen_at_once),
-      cmocka_unit_test(centres_behind_walls_are_seen),
-      cmocka_unit_test(crowds_are_seen),
-      cmocka_unit_test(energy_from_nowhere_is_seen),
-      cmocka_unit_test(sound_runs_are_not_warned_of),
+      cmocka_unit_test(deep_starts_are_seen_at_once), cmocka_unit_test(centres_behind_walls_are_seen),
+      cmocka_unit_test(planes_that_swing_are_seen),   cmocka_unit_test(crowds_are_seen),
+      cmocka_unit_test(energy_from_nowhere_is_seen),  cmocka_unit_test(sound_runs_are_not_warned_of),
   };
   return cmocka_run_group_tests_name("watch", tests, nullptr, nullptr);
 }

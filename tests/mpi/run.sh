@@ -168,6 +168,7 @@ refuses() {
   grep -q "^hgrid-mpi: .*$text" err && (($(grep -c '^hgrid-mpi: ' err) == 1)) || fail "$* is refused so: $(cat err)"
 }
 refuses '\[shear\] is not done over ranks yet' --set periodic.axes=xyz --set shear.rate=0.1
+refuses '\[\[region\]\] is not done over ranks' --set 'region=[{min=[0,0,0],max=[1,1,1]}]'
 refuses 'the key bulk of \[output\]' --set output.bulk=true
 refuses 'csv of \[output\]: over ranks' --set 'output.formats=["csv"]'
 refuses 'holds an earlier run' --output r2

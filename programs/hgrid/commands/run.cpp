@@ -37,6 +37,7 @@ using Clock = std::chrono::steady_clock;
 struct RunOptions {
   std::string scene;
   std::string restart;
+  std::string from;
   std::string directory;
   std::optional<int> threads;
   std::optional<double> skin;
@@ -59,7 +60,7 @@ class Run {
         options_(options),
         watch_(scene.setup),
         first_(engine.steps_done()),
-        line_(engine.steps_done(), scene.steps, scene.setup.count()) {}
+        line_(engine.steps_done(), scene.steps) {}
 
   // To the end, or to the first interrupt: then the checkpoint holds the state.
   void go() {
@@ -72,7 +73,7 @@ class Run {
       }
       const Clock::time_point start = Clock::now();
       engine_.run(until - step);
-      line_.worked(until - step, measure::seconds_since(start));
+      line_.worked(until - step, engine_.particle_count(), measure::seconds_since(start));
       record();
     }
     line_.wipe();
@@ -98,17 +99,23 @@ class Run {
       // Measuring does a part of the next step's work, so it counts as work.
       const Clock::time_point start = Clock::now();
       const dem::Measurement m = engine_.measure();
-      line_.worked(0, measure::seconds_since(start));
+      line_.worked(0, 0, measure::seconds_since(start));
       if (!std::isfinite(m.energy()))
         throw particles::Error("the energy is not finite at step " + std::to_string(step));
-      if (row) recorder_.measurement(step, m);
-      if (row) recorder_.walls(step, m.time, engine_.walls_now());
+      if (row) record_tables(step, m);
       look(step, m);
       if (shows) line_.show(step, m);
     }
     if (again) return;
     if (is_time(scene_.output.pictures)) recorder_.picture(scene_.setup, step, engine_);
     if (is_time(scene_.output.checkpoints)) save();
+  }
+
+  void record_tables(uint64_t step, const dem::Measurement &m) {
+    recorder_.measurement(step, m);
+    recorder_.walls(step, m.time, engine_.walls_now());
+    recorder_.regions(step, scene_.output.regions, engine_);
+    recorder_.passages(step, m.time, engine_.passages());
   }
 
   void save() {
@@ -136,11 +143,20 @@ class Run {
   RunLine line_;
 };
 
-void print_summary(dem::Engine &engine, const Run &run, size_t particles) {
+void print_passages(const std::vector<dem::Passage> &passages) {
+  for (const dem::Passage &passage : passages) {
+    const std::string waiting =
+        passage.waiting > 0 ? ", " + std::to_string(passage.waiting) + " wait for room" : std::string();
+    std::printf("%s: %llu particles of mass %.6g%s\n", passage.name.c_str(),
+                static_cast<unsigned long long>(passage.count), passage.mass, waiting.c_str());
+  }
+}
+
+void print_summary(dem::Engine &engine, const Run &run) {
   const RunLine &line = run.line();
   const dem::Measurement m = engine.measure();
   const hg_grid_stats stats = engine.grid_stats();
-  const double count = static_cast<double>(particles);
+  const double count = std::max(1.0, static_cast<double>(engine.particle_count()));
   std::printf("%llu steps to time %.6g in %.3g s of work: %.1f ns per particle and step\n",
               static_cast<unsigned long long>(engine.steps_done()), m.time, line.seconds(),
               line.ns_per_particle_step());
@@ -150,6 +166,7 @@ void print_summary(dem::Engine &engine, const Run &run, size_t particles) {
               m.wall_contacts, m.largest_overlap);
   std::printf("%s: %s\n", run.watch().has_warned() ? "worst seen, see the warnings" : "worst seen, nothing to warn of",
               run.watch().summary().c_str());
+  print_passages(engine.passages());
   std::printf("memory per particle: %.0f bytes of state, %.0f of the grid; %lld levels, %lld searches\n",
               static_cast<double>(engine.state_bytes()) / count, static_cast<double>(stats.byte_count) / count,
               static_cast<long long>(stats.level_count), static_cast<long long>(stats.search_count));
@@ -178,17 +195,30 @@ std::unique_ptr<dem::Engine> engine_of(const scene::Scene &scene) {
   return engine;
 }
 
+void restore(dem::Engine &engine, const dem::Checkpoint &checkpoint) {
+  try {
+    engine.restore(checkpoint);
+  } catch (const particles::Error &error) {
+    throw particles::Error(std::string(error.what()) + "; --from begins another scene from it");
+  }
+}
+
 Outcome run_scene(const RunOptions &options, const Settings &settings, const std::string &folder) {
-  const scene::StagedScene stages(options.scene, settings);
+  if (!options.restart.empty() && !options.from.empty())
+    throw CLI::ValidationError("--from", "begins a run, and --restart goes on with one");
+  std::optional<dem::Checkpoint> checkpoint;
+  if (!options.restart.empty()) checkpoint = dem::Checkpoint::read(options.restart);
+  std::optional<scene::Departure> departure;
+  if (checkpoint) departure = scene::start_in(*checkpoint);
+  if (!options.from.empty()) departure = scene::end_in(dem::Checkpoint::read(options.from));
+  const scene::StagedScene stages(options.scene, settings, std::move(departure));
   const auto prepared = [&](scene::Scene scene) {
     const bool is_last = scene.stage + 1 == stages.count();
     return with_options(std::move(scene), options, is_last, folder);
   };
-  std::optional<dem::Checkpoint> checkpoint;
-  if (!options.restart.empty()) checkpoint = dem::Checkpoint::read(options.restart);
   scene::Scene scene = prepared(checkpoint ? scene::stage_of(stages, *checkpoint) : stages.first());
   std::unique_ptr<dem::Engine> engine = engine_of(scene);
-  if (checkpoint) engine->restore(*checkpoint);
+  if (checkpoint) restore(*engine, *checkpoint);
   if (!checkpoint) output::require_no_earlier_run(scene.output.directory, options.overwrite);
   if (!scene.unused.empty())
     std::fprintf(stderr, "hgrid: %s: note: of its particle files these columns are not used: %s\n",
@@ -201,7 +231,7 @@ Outcome run_scene(const RunOptions &options, const Settings &settings, const std
     std::fflush(stdout);
     Run run(scene, *engine, recorder, interrupt, options);
     run.go();
-    print_summary(*engine, run, scene.setup.count());
+    print_summary(*engine, run);
     if (interrupt.requested()) {
       throw particles::Error("interrupted at step " + std::to_string(engine->steps_done()) + "; go on with hgrid run " +
                              options.scene + " --restart " + recorder.checkpoint_path());
@@ -263,6 +293,9 @@ void add_run(CLI::App &parent) {
       parent.add_subcommand("run", "Simulate a scene (docs/guide/simulation.md tells how to write one)");
   command->add_option("SCENE", options->scene, "The scene, a TOML file")->required();
   command->add_option("--restart", options->restart, "Go on from this checkpoint, to the same bits");
+  command->add_option("--from", options->from,
+                      "Begin with the particles, their motion and contacts of this checkpoint of any scene, instead of "
+                      "[[particles]]");
   command->add_option("--output", options->directory, "Folder for what is written, instead of the scene's");
   command->add_option("--threads", options->threads, "Instead of the scene's; 0: all that the machine offers")
       ->check(CLI::Range(0, 1024));
