@@ -23,7 +23,7 @@ _hgrid() {
     bench) options='-h --help --repeats --most-levels --seconds --threads --accuracy --steps --skin --displacement --csv --format --frame --dimension --header --radius --diameter --type-radius --box --tilt --periodic --open --level-price --row-price' ;;
     calibrate) options='-h --help --count --repeats --most-levels --seconds --threads' ;;
     slice) options='-h --help -o --output --axis --at --levels --level-count --format --frame --dimension --header --radius --diameter --type-radius --box --tilt --periodic --open' ;;
-    run) options='-h --help --restart --output --threads --skin --steps --quiet --strict --set --overwrite' ;;
+    run) options='-h --help --restart --from --output --threads --skin --steps --quiet --strict --set --overwrite' ;;
     plot) options='-h --help -o --output --title' ;;
     picture) options='-h --help -o --output --color --stiffness --width --cut --format --frame --dimension --header --radius --diameter --type-radius --box --tilt --periodic --open' ;;
     scenes) options='-h --help --keys' ;;

@@ -2,72 +2,82 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
 """Mixing and segregation in a drum: drum.py HGRID SCENES. Runs scenes/drum.toml and prints for each picture, turns after
-the start of turning: the slope of the surface; how far the middles of large and small discs are apart, over the drum's
-radius; the mean distance of small discs from the middle of the bed, over that of large ones. Exits with 1 unless the
-surface slopes by 15 to 45 degrees, the sizes are less than three quarters as far apart as at first (not mixed wholly,
-since they segregate), and the small ones end up nearer to the core."""
+the start of turning: the slope of the surface; how well the sizes are mixed round the bed; the mean distance of small
+discs from the middle of the bed, over that of large ones.
 
-import glob
+Mixed is measured by Lacey's index (J. Appl. Chem. 4 (1954) 257) of sectors about the middle of the bed: with s^2 the
+variance of the share of small discs by sector, s0^2 = p (1 - p) of sizes apart and sr^2 = s0^2 / n of n discs a sector
+put down at random, it is (s0^2 - s^2) / (s0^2 - sr^2): 0 apart, 1 at random. Sectors do not see a core of small discs.
+Exits with 1 unless the surface slopes by 15 to 45 degrees, the index of the last quarter is nearer to 1 than to that of
+the start, and small discs lie nearer to the core than large ones by a tenth."""
+
 import math
 import os
-import subprocess
 import sys
 import tempfile
 
-RADIUS, TURNING, START = 30.0, 0.04, 20.0
+import states
 
-
-def read(name):
-    with open(name) as table:
-        lines = table.read().split("\n")
-    time = next(float(line.split("time:")[1].split()[0]) for line in lines if line.startswith("# step:"))
-    rows = [line.split(",") for line in lines if line and not line.startswith("#")]
-    columns = [rows[0].index(word) for word in ("x", "y", "radius")]
-    return time, [tuple(float(row[k]) for k in columns) for row in rows[1:]]
+RADIUS, TURNING, START, SECTORS = 30.0, 0.04, 20.0, 8
 
 
 def surface_slope(discs):
     """Of the line through the highest discs of strips across the middle of the drum, in degrees."""
     tops = {}
-    for x, y, radius in discs:
+    for disc in discs:
+        x, top = disc["x"], disc["y"] + disc["radius"]
         strip = math.floor(x / 3)
-        if abs(x) < RADIUS / 2 and y + radius > tops.get(strip, (0, -RADIUS))[1]:
-            tops[strip] = (x, y + radius)
-    points = list(tops.values())
-    mean_x, mean_y = (sum(point[k] for point in points) / len(points) for k in (0, 1))
-    rise = sum((x - mean_x) * (y - mean_y) for x, y in points) / sum((x - mean_x) ** 2 for x, y in points)
-    return math.degrees(math.atan(rise))
+        if abs(x) < RADIUS / 2 and top > tops.get(strip, (0, -RADIUS))[1]:
+            tops[strip] = (x, top)
+    return math.degrees(math.atan(states.slope(*zip(*tops.values()))))
 
 
 def middle(discs):
-    area = sum(radius**2 for x, y, radius in discs)
-    return tuple(sum(disc[k] * disc[2] ** 2 for disc in discs) / area for k in (0, 1))
+    area = sum(disc["radius"] ** 2 for disc in discs)
+    return tuple(sum(disc[axis] * disc["radius"] ** 2 for disc in discs) / area for axis in "xy")
+
+
+def is_small(disc):
+    return disc["radius"] < 0.75
+
+
+def mixing(discs):
+    """Lacey's index of sectors."""
+    core = middle(discs)
+    counts = [[0, 0] for _ in range(SECTORS)]
+    for disc in discs:
+        angle = math.atan2(disc["y"] - core[1], disc["x"] - core[0]) / (2 * math.pi)
+        counts[math.floor(angle * SECTORS) % SECTORS][is_small(disc)] += 1
+    share = sum(map(is_small, discs)) / len(discs)
+    apart = share * (1 - share)
+    found = sum(sum(count) / len(discs) * (count[1] / sum(count) - share) ** 2 for count in counts if sum(count))
+    return (apart - found) / (apart - apart / (len(discs) / SECTORS))
+
+
+def core_ratio(discs):
+    core = middle(discs)
+    away = []
+    for wanted in (True, False):
+        part = [math.hypot(d["x"] - core[0], d["y"] - core[1]) for d in discs if is_small(d) == wanted]
+        away.append(sum(part) / len(part))
+    return away[0] / away[1]
 
 
 def main():
-    hgrid, scenes = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
-    with open(os.path.join(scenes, "drum.toml")) as source:
-        text = source.read() + '[output]\nformats = ["csv"]\n'
+    hgrid, scene = os.path.abspath(sys.argv[1]), os.path.join(sys.argv[2], "drum.toml")
     with tempfile.TemporaryDirectory() as folder:
-        with open(os.path.join(folder, "drum.toml"), "w") as out:
-            out.write(text)
         output = os.path.join(folder, "out")
-        subprocess.run([hgrid, "run", out.name, "--quiet", "--output", output], check=True, stdout=subprocess.DEVNULL)
-        pictures = [read(name) for name in sorted(glob.glob(output + "/state-*.csv"))]
-    print("turns  slope  apart  small/large from the core")
+        states.run(hgrid, scene, output)
+        pictures = states.pictures(output)
+    print("turns  slope  mixed  small/large from the core")
     found = []
     for time, discs in pictures:
-        large, small = ([disc for disc in discs if (disc[2] > 0.75) == wanted] for wanted in (True, False))
-        core = middle(discs)
-        away = [sum(math.hypot(x - core[0], y - core[1]) for x, y, r in part) / len(part) for part in (small, large)]
-        (x1, y1), (x2, y2) = middle(large), middle(small)
-        apart = math.hypot(x1 - x2, y1 - y2) / RADIUS
-        found.append((surface_slope(discs), apart, away[0] / away[1]))
+        found.append((surface_slope(discs), mixing(discs), core_ratio(discs)))
         print("%5.2f  %5.1f  %5.3f  %.3f" % ((TURNING * (time - START) / (2 * math.pi),) + found[-1]))
     late = found[-len(found) // 4 :]
-    slope, apart, core = (sum(row[k] for row in late) / len(late) for k in (0, 1, 2))
-    print("last quarter: slope %.1f degrees, apart %.3f (at first %.3f), core %.3f" % (slope, apart, found[0][1], core))
-    sys.exit(not (15 < abs(slope) < 45 and apart < 0.75 * found[0][1] and core < 0.9))
+    slope, mixed, core = (sum(row[k] for row in late) / len(late) for k in (0, 1, 2))
+    print("last quarter: slope %.1f degrees, mixed %.3f (at first %.3f), core %.3f" % (slope, mixed, found[0][1], core))
+    sys.exit(not (15 < abs(slope) < 45 and 1 - mixed < mixed - found[0][1] and core < 0.9))
 
 
 if __name__ == "__main__":
