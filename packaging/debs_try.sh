@@ -11,14 +11,16 @@ fi
 debs=$(cd "$1" && pwd)
 suite=${SUITE:-bookworm}
 
-# A bare Debian, made anew each time: what the packages need must be what they say.
+# A bare Debian, fetched once and unpacked anew each time: what the packages need must be what they say.
 clean=$debs/root
 umount "$clean/proc" 2>/dev/null || true
 rm -rf --one-file-system "$clean"
-mmdebstrap --variant=apt --quiet "$suite" "$clean"
+mkdir "$clean"
+[ -e "$debs/$suite.tar" ] || mmdebstrap --variant=apt --quiet "$suite" "$debs/$suite.tar"
+tar -C "$clean" -xf "$debs/$suite.tar"
 mount -t proc proc "$clean/proc" # the command finds its scenes by it
 trap 'umount "$clean/proc"' EXIT
 status=0
-autopkgtest --output-dir="$debs/tried" "$debs"/*.deb "$debs"/libhgrid_*.dsc -- chroot "$clean" || status=$?
+autopkgtest --apt-upgrade --output-dir="$debs/tried" "$debs"/*.deb "$debs"/libhgrid_*.dsc -- chroot "$clean" || status=$?
 # 2: passed, some tests left out; here none may be.
 exit "$status"
