@@ -30,7 +30,9 @@ only_tests=(-G Ninja -DCMAKE_BUILD_TYPE=Release -DHGRID_BUILD_FORTRAN=OFF -DHGRI
 # fetch_libraries ARCHITECTURE FOLDER
 fetch_libraries() {
   local root=$2.apt suite=bookworm
-  [[ $1 != riscv64 ]] || suite=trixie # the first that has it
+  local wanted=("${libraries[@]}")
+  # Debian 13 is the first that has it; its libraries need its C library.
+  [[ $1 != riscv64 ]] || { suite=trixie && wanted+=(libc6 libgcc-s1 libstdc++6); }
   [[ ! -e $2 ]] || return 0
   mkdir -p "$root"/{lists/partial,archives/partial}
   echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] http://deb.debian.org/debian $suite main" >"$root/sources"
@@ -39,10 +41,15 @@ fetch_libraries() {
     -o Dir::State::status="$root/status" -o Dir::Cache="$root" -o Dir::Etc::sourcelist="$root/sources"
     -o Dir::Etc::sourceparts=/dev/null)
   "${apt[@]}" update
-  (cd "$root" && "${apt[@]}" download "${libraries[@]}")
+  (cd "$root" && "${apt[@]}" download "${wanted[@]}")
   mkdir "$2"
   for package in "$root"/*.deb; do dpkg -x "$package" "$2"; done
+  [[ -e $2/lib ]] || ln -s usr/lib "$2/lib"
 }
+
+# Where the programs of a processor find their C library.
+# system_of ARCHITECTURE TRIPLET
+system_of() { if [[ $1 == riscv64 ]]; then echo "$PWD/build-$1/libraries"; else echo "/usr/$2"; fi; }
 
 # build_for ARCHITECTURE TRIPLET PROCESSOR QEMU: into build-ARCHITECTURE.
 build_for() {
@@ -52,7 +59,7 @@ build_for() {
   fetch_libraries "$1" "$files"
   PKG_CONFIG_LIBDIR=$files/usr/lib/${2/i686/i386}/pkgconfig PKG_CONFIG_SYSROOT_DIR=$files cmake -S . -B "$work" "${only_tests[@]}" \
     -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR="$3" -DCMAKE_C_COMPILER="$2-gcc" -DCMAKE_CXX_COMPILER="$2-g++" \
-    -DCMAKE_CXX_FLAGS="-isystem $files/usr/include/${2/i686/i386}" -DCMAKE_CROSSCOMPILING_EMULATOR="$4;-L;/usr/$2" -DCMAKE_FIND_ROOT_PATH="/usr/$2;$files" \
+    -DCMAKE_CXX_FLAGS="-isystem $files/usr/include/${2/i686/i386}" -DCMAKE_CROSSCOMPILING_EMULATOR="$4;-L;$(system_of "$1" "$2")" -DCMAKE_EXE_LINKER_FLAGS=-Wl,--allow-shlib-undefined -DCMAKE_FIND_ROOT_PATH="/usr/$2;$files" \
     -DCMAKE_FIND_ROOT_PATH_MODE_PROGRAM=NEVER -DCMAKE_FIND_ROOT_PATH_MODE_LIBRARY=ONLY
   cmake --build "$work" --target "${programs[@]}" -- -k 0
 }
@@ -91,7 +98,7 @@ for row in "${rows[@]}"; do
   echo "== $name"
   mkdir -p "build-$name"
   if (set -e; build_for "$name" "$triplet" "$processor" "$qemu") >"build-$name/build.log" 2>&1; then
-    if run_for "$name" "$triplet" "$sets" "$qemu" -L "/usr/$triplet"; then
+    if run_for "$name" "$triplet" "$sets" "$qemu" -L "$(system_of "$name" "$triplet")"; then
       summary+=("$name: same")
     else
       summary+=("$name: DIFFERENT") status=1

@@ -306,7 +306,7 @@ void check_float(uint64_t seed) {
   for (double &x : c.b) x *= away;
   if (!decide(c, HG_FLOAT) || rationally_holds(c)) return;
   const mpq_class reach = rational_reach(c), ratio = rational_square(c) / (reach * reach);
-  require(ratio < 1 + mpq_class(1, 1L << 46), "HG_FLOAT takes a pair %g of the reach apart", ratio.get_d());
+  require(ratio < 1 + mpq_class(std::ldexp(1.0, -46)), "HG_FLOAT takes a pair %g of the reach apart", ratio.get_d());
 }
 
 void touching(void **) { assert_true(sweep(50000, check_touching)); }
