@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Runs scenes to their end and renders what is there: programs/bench/figures/scenes.sh [BUILD [WORK [OUTPUT [SCENE...]]]].
 # OUTPUT is the folder of the pictures, scene-NAME.png and scene-NAME.svg; SCENE: names, all but paper-* if there is
-# none. Needs POV-Ray (Debian: povray). About fifteen minutes, ten of them for sedimentation and aggregate.
+# none. Needs POV-Ray and pngquant (Debian: povray, pngquant). About fifteen minutes, ten of them for sedimentation and
+# aggregate.
 set -euo pipefail
 build=${1:-build} work=${2:-figures-work} output=${3:-$work}
 scenes=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)/scenes
@@ -27,9 +28,11 @@ for name in "${names[@]}"; do
   fi
   color=speed width=320
   case $name in
-    aggregate | sedimentation) color=size width=400 ;;
-    heap) color=contacts width=640 ;;
+    aggregate | drum | sedimentation) color=size width=400 ;;
+    heap | pile) color=contacts width=640 ;;
+    compression) color=contacts ;;
   esac
   "$hgrid" picture "$(ls "$run"/state-*.vtp | tail -1)" --color $color --width $width --output "$output/scene-$name.png"
+  pngquant --force --ext .png --nofs 128 "$output/scene-$name.png"
   "$hgrid" plot "$run" --title "$name" --output "$output/scene-$name.svg"
 done
