@@ -49,7 +49,7 @@ std::vector<Checkpoint> read_parts(const Ranks &ranks, const std::string &path, 
       const std::string name = (std::filesystem::path(folder) / ending(index.stem, k)).string();
       parts.push_back(Checkpoint::read(name));
       if (parts.back().get_value<uint64_t>("steps") != index.steps)
-        throw Error(name + ": is a part of another checkpoint than " + path);
+        throw Error(name, 0, "is a part of another checkpoint than " + path);
     }
   });
   return parts;
