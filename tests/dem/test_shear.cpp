@@ -62,7 +62,7 @@ bool search_agrees(double offset) {
   dem::ContactSearch search(setup, 0);
   hg_array centers[3];
   for (size_t k = 0; k < 3; k++) centers[k] = {&setup.centers[k], 3 * sizeof(double), HG_REAL64, 0};
-  const dem::PairView found = search.find(centers, nullptr, offset);
+  const dem::PairView found = search.find(setup.count(), centers, nullptr, offset);
   Pairs listed;
   bool ascending = true;
   for (const hg_pair &pair : found) {
