@@ -17,8 +17,8 @@ module hgrid_types
     public :: c_hg_version
 
     !> The version of this module; hg_version tells that of the library that is loaded.
-    integer(c_int), parameter, public :: HG_VERSION_MAJOR = 0
-    integer(c_int), parameter, public :: HG_VERSION_MINOR = 1
+    integer(c_int), parameter, public :: HG_VERSION_MAJOR = 1
+    integer(c_int), parameter, public :: HG_VERSION_MINOR = 0
     integer(c_int), parameter, public :: HG_VERSION_PATCH = 0
 
     !> Status codes.

@@ -12,7 +12,7 @@ class Libhgrid(CMakePackage):
 
     license("BSD-3-Clause")
 
-    version("0.1.0")
+    version("1.0.0")
 
     variant("shared", default=True, description="Build a shared library, else a static one")
     variant("fortran", default=True, description="Build the Fortran module")
