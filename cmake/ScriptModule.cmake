@@ -2,6 +2,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # What the modules of scripting languages have in common (bindings/swig).
 
+# hgrid_require_swig(<option> <language>): leaves the folder where the module cannot be made.
+macro(hgrid_require_swig option language)
+  if(HGRID_SANITIZE)
+    hgrid_missing(${option} "a plain interpreter cannot load a library with sanitizers")
+    return()
+  endif()
+  find_package(SWIG 4.0 COMPONENTS ${language} QUIET)
+  if(NOT SWIG_FOUND)
+    hgrid_missing(${option} "SWIG >= 4.0 was not found")
+    return()
+  endif()
+  include(UseSWIG)
+endmacro()
+
 # hgrid_describe_to_swig(<interface file> <module name>)
 function(hgrid_describe_to_swig file module)
   set_source_files_properties(

@@ -20,12 +20,6 @@ void need(hg_status status) {
   if (status != HG_OK) throw Error(std::string(hg_status_string(status)) + ": " + hg_last_error());
 }
 
-Setup without_particles(const Setup &setup) {
-  Setup result = setup;
-  static_cast<ParticleArrays &>(result) = {};
-  return result;
-}
-
 std::unique_ptr<RankEngine> make(const RankPlan &plan, const std::vector<Checkpoint> *parts) {
   plan.ranks.together([&] {
     check_setup(plan.setup);
@@ -131,9 +125,7 @@ void RankSimulation<D>::check_speed() {
   for (size_t i = 0; i < owned_; i++) {
     const double approach = 2 * bodies_.velocity(i).norm();
     if (approach <= fastest_allowed_) continue;
-    note("particles approach with " + text(approach) + ", and the time step " + text(setup_.time_step) +
-         " is short enough for " + text(fastest_allowed_) + ": give an impact_speed of " + text(2 * approach) +
-         ", or a shorter step");
+    note(speed_fault(setup_, approach, fastest_allowed_));
   }
 }
 
@@ -242,10 +234,7 @@ void RankSimulation<D>::list_walls() {
   wall_names_.clear();
   if (has(setup_.effects, kWalls)) {
     const WallReach<D, double> reach(boundary_, contact_range(setup_) + skin_ / 2 + slack_);
-    for (size_t i = 0; i < owned_; i++) {
-      if (reach.any(bodies_.position(i), bodies_.radius(i)))
-        reach.list(bodies_.position(i), bodies_.radius(i), i, walls_);
-    }
+    reach.list_all(bodies_, owned_, walls_);
     const auto name = [&](const hg_pair &wall) { return names_[static_cast<size_t>(wall.a)]; };
     std::sort(walls_.begin(), walls_.end(),
               [&](const hg_pair &x, const hg_pair &y) { return name(x) != name(y) ? name(x) < name(y) : x.b < y.b; });

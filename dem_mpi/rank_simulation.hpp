@@ -4,6 +4,7 @@
 #pragma once
 
 #include "dem/engine/contact_loads.hpp"
+#include "dem/engine/fingerprint.hpp"
 #include "dem/kernels/motion_kernel.hpp"
 #include "dem/state/room.hpp"
 #include "dem_mpi/pair_forces.hpp"
@@ -41,7 +42,7 @@ class RankSimulation final : public RankEngine {
 
   void take_share(const Setup &sorted, const std::vector<uint32_t> &numbers);
   void restore(const std::vector<Checkpoint> &parts);
-  void check_part(const Checkpoint &part) const;
+  Fingerprint fingerprint() const;
   void add_part(const Checkpoint &part);
   void make_world();
 

@@ -4,7 +4,6 @@
 #include "dem/engine/acting_contacts.hpp"
 #include "dem/engine/measure.hpp"
 #include "dem/engine/snapshots.hpp"
-#include "dem/setup/materials.hpp"
 #include "dem_mpi/exact_sum.hpp"
 #include "dem_mpi/rank_simulation.hpp"
 #include "dem_mpi/springs.hpp"
@@ -14,12 +13,6 @@
 
 namespace dem::ranks {
 namespace {
-
-// What decides the course of a simulation besides its state.
-struct Fingerprint {
-  uint64_t dimension, effects, count;
-  double time_step;
-};
 
 // The numbers of a measurement that are sums: visit(number).
 template <class SomeMeasurement, class Visit>
@@ -125,14 +118,12 @@ OwnedParticles RankSimulation<D>::owned() {
 namespace {
 
 void save_memory(const std::string &name, const ContactMemory &memory, Checkpoint &part) {
-  part.put(name + " pairs", memory.pairs);
-  for (size_t k = 0; k < kHistoryCount; k++) part.put(name + " rows " + std::to_string(k), memory.rows[k]);
+  visit_memory(name, memory, [&](const std::string &block, const auto &items) { part.put(block, items); });
 }
 
 ContactMemory restored_memory(const std::string &name, const Checkpoint &part) {
   ContactMemory memory;
-  part.get_all(name + " pairs", memory.pairs);
-  for (size_t k = 0; k < kHistoryCount; k++) part.get_all(name + " rows " + std::to_string(k), memory.rows[k]);
+  visit_memory(name, memory, [&](const std::string &block, auto &items) { part.get_all(block, items); });
   return memory;
 }
 
@@ -140,9 +131,7 @@ ContactMemory restored_memory(const std::string &name, const Checkpoint &part) {
 
 template <int D>
 void RankSimulation<D>::save(Checkpoint &part) const {
-  part.put_value("fingerprint", Fingerprint{D, setup_.effects, count_of_all_, setup_.time_step});
-  const std::string materials = names_of(setup_.materials);
-  part.put("material names", materials.data(), materials.size());
+  dem::save(fingerprint(), setup_, part);
   part.put_value("steps", steps_);
   part.put_value("forces known", static_cast<uint64_t>(forces_known_));
   part.put_value("last drift", last_drift_);
@@ -160,26 +149,14 @@ void RankSimulation<D>::save(Checkpoint &part) const {
 }
 
 template <int D>
-void RankSimulation<D>::check_part(const Checkpoint &part) const {
-  const auto print = part.get_value<Fingerprint>("fingerprint");
-  if (print.dimension != D || print.effects != setup_.effects || print.count != count_of_all_ ||
-      print.time_step != setup_.time_step) {
-    throw Error("the checkpoint is of " + std::to_string(print.count) + " particles in " +
-                std::to_string(print.dimension) + " dimensions with the effects " +
-                names_of(static_cast<EffectSet>(print.effects)) + " and the time step " + text(print.time_step) +
-                ", the scene of " + std::to_string(count_of_all_) + " in " + std::to_string(D) + " with the effects " +
-                names_of(setup_.effects) + " and " + text(setup_.time_step));
-  }
-  std::vector<char> stored;
-  part.get_all("material names", stored);
-  const std::string names(stored.begin(), stored.end()), own = names_of(setup_.materials);
-  if (names != own) throw Error("the checkpoint has the materials " + names + ", the scene has " + own);
+Fingerprint RankSimulation<D>::fingerprint() const {
+  return {D, sizeof(double), setup_.effects, count_of_all_, setup_.time_step};
 }
 
 // Adds the particles of a part to those that this rank owns.
 template <int D>
 void RankSimulation<D>::add_part(const Checkpoint &part) {
-  check_part(part);
+  require_same(fingerprint(), setup_, part);
   steps_ = part.get_value<uint64_t>("steps");
   forces_known_ = part.get_value<uint64_t>("forces known") != 0;
   last_drift_ = part.get_value<double>("last drift");

@@ -44,6 +44,13 @@ struct ParticleSet {
   std::vector<std::string> notes;  // what a file did not tell
 
   size_t count() const { return radii.size(); }
+  // The values of the column of that name; null: there is none.
+  const double *column(const std::string &name) const {
+    for (const Column &each : columns) {
+      if (each.name == name) return each.values.data();
+    }
+    return nullptr;
+  }
   bool is_tilted() const { return tilt[0] != 0 || tilt[1] != 0 || tilt[2] != 0; }
   const double *center(size_t i) const { return &centers[i * static_cast<size_t>(dimension)]; }
   // `center` holds `dimension` numbers.

@@ -14,6 +14,11 @@ namespace dem {
 
 constexpr double kPi = 3.14159265358979323846;
 
+// Of a sphere, or the area of a disc.
+inline double volume_of_particle(double radius, int dimension) {
+  return dimension == 2 ? kPi * radius * radius : 4 * kPi / 3 * radius * radius * radius;
+}
+
 // Without alignment, so that an array of them is the [count][D] array that the library takes.
 template <int D, class Real>
 using Vec = Eigen::Matrix<Real, D, 1, Eigen::DontAlign>;

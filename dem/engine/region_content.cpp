@@ -18,7 +18,7 @@ RegionContent content_of(const Region &region, const Snapshot &state) {
     if (!region.holds(&state.centers[i * dimension], state.dimension)) continue;
     const double radius = state.radii[i], mass = state.masses[i];
     content.count++;
-    content.fraction += kPi * radius * radius * (dimension == 3 ? 4.0 / 3 * radius : 1) / space;
+    content.fraction += volume_of_particle(radius, state.dimension) / space;
     if (!std::isfinite(mass)) continue;
     content.mass += mass;
     for (size_t axis = 0; axis < dimension; axis++) {

@@ -18,13 +18,6 @@
 namespace dem {
 namespace {
 
-Setup without_particles(const Setup &setup) {
-  Setup result = setup;
-  static_cast<ParticleArrays &>(result) = {};
-  result.beginning.pairs = result.beginning.walls = {};
-  return result;
-}
-
 // Ways can be told from places unless particles are put into the box or grow.
 bool goes_straight(const Setup &setup) { return !has(setup.effects, kShear | kGrowth); }
 
@@ -67,9 +60,7 @@ void Simulation<D, Real>::require_speed() const {
   for (size_t i = 0; i < bodies_.count(); i++) {
     const double approach = 2 * static_cast<double>(bodies_.velocity(i).norm());
     if (approach <= fastest_allowed_) continue;
-    throw Error("at step " + std::to_string(steps_) + " particles approach with " + text(approach) +
-                ", and the time step " + text(setup_.time_step) + " is short enough for " + text(fastest_allowed_) +
-                ": give an impact_speed of " + text(2 * approach) + ", or a shorter step");
+    throw Error("at step " + std::to_string(steps_) + " " + speed_fault(setup_, approach, fastest_allowed_));
   }
 }
 
@@ -96,10 +87,7 @@ void Simulation<D, Real>::list_walls(double within) {
   walls_.clear();
   if (!has(setup_.effects, kWalls)) return;
   const WallReach<D, Real> reach(boundary_, static_cast<Real>(contact_range(setup_) + within));
-  for (size_t i = 0; i < bodies_.count(); i++) {
-    if (reach.any(bodies_.position(i), bodies_.radius(i)))
-      reach.list(bodies_.position(i), bodies_.radius(i), i, walls_);
-  }
+  reach.list_all(bodies_, bodies_.count(), walls_);
 }
 
 template <int D, class Real>

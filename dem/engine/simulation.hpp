@@ -67,8 +67,6 @@ class Simulation final : public Engine {
   void replace(std::vector<uint32_t> staying, const std::vector<Newcomer<D>> &newcomers);
   void keep_contacts(const std::vector<uint32_t> &numbers);
 
-  void restore_materials(const Checkpoint &checkpoint);
-
   // The state at the time of the step, in the order of the arrays; centres not yet brought into the box. Half kicks
   // need the forces of the positions.
   Snapshot state_now();

@@ -3,6 +3,7 @@
 // Looking at a simulation, saving and restoring it.
 #include "dem/base/error.hpp"
 #include "dem/engine/acting_contacts.hpp"
+#include "dem/engine/fingerprint.hpp"
 #include "dem/engine/measure.hpp"
 #include "dem/engine/simulation.hpp"
 #include "dem/engine/snapshots.hpp"
@@ -43,12 +44,6 @@ SurfaceState<D> surfaces_in(const Setup &setup, const Surfaces<D> &surfaces, con
   }
   return result;
 }
-
-// What decides the course of a simulation besides its state.
-struct Fingerprint {
-  uint64_t dimension, precision, effects, count;
-  double time_step;
-};
 
 }  // namespace
 
@@ -197,7 +192,7 @@ std::vector<ContactLine> Simulation<D, Real>::contacts() {
 
 template <int D, class Real>
 void Simulation<D, Real>::save(Checkpoint &checkpoint) const {
-  checkpoint.put_value("fingerprint", Fingerprint{D, sizeof(Real), setup_.effects, bodies_.count(), setup_.time_step});
+  dem::save(Fingerprint{D, sizeof(Real), setup_.effects, bodies_.count(), setup_.time_step}, setup_, checkpoint);
   checkpoint.put_value("steps", steps_);
   checkpoint.put_value("forces known", static_cast<uint64_t>(forces_known_));
   checkpoint.put_value("last drift", last_drift_);
@@ -212,11 +207,7 @@ void Simulation<D, Real>::save(Checkpoint &checkpoint) const {
     for (size_t i = 0; i < count; i++) numbers.insert(numbers.end(), numbers_of(i), numbers_of(i) + width);
     checkpoint.put(name, numbers);
   });
-  if (has(setup_.effects, kMaterials)) {
-    checkpoint.put("materials", bodies_.materials);
-    const std::string names = names_of(setup_.materials);
-    checkpoint.put("material names", names.data(), names.size());
-  }
+  if (has(setup_.effects, kMaterials)) checkpoint.put("materials", bodies_.materials);
   pair_history_.save("pair", pairs_, checkpoint);
   wall_history_.save("wall", walls(), checkpoint);
   if (!surfaces_.empty()) surface_history_.save("surface", surfaces_.pairs(), checkpoint);
@@ -225,32 +216,17 @@ void Simulation<D, Real>::save(Checkpoint &checkpoint) const {
 
 template <int D, class Real>
 void Simulation<D, Real>::restore(const Checkpoint &checkpoint) {
-  const auto print = checkpoint.get_value<Fingerprint>("fingerprint");
-  if (print.dimension != D || print.precision != sizeof(Real)) {
-    throw Error("the checkpoint is of " + std::to_string(print.dimension) + " dimensions in numbers of " +
-                std::to_string(print.precision) + " bytes, the scene of " + std::to_string(D) + " in " +
-                std::to_string(sizeof(Real)));
-  }
-  if (print.effects != setup_.effects) {
-    throw Error("the checkpoint has the effects " + names_of(static_cast<EffectSet>(print.effects)) +
-                ", the scene has " + names_of(setup_.effects));
-  }
-  if (!exchange_.empty()) {
+  const bool exchanges = !exchange_.empty();  // then any number of particles may be there
+  const Fingerprint own{D, sizeof(Real), setup_.effects, exchanges ? 0 : bodies_.count(), setup_.time_step};
+  const uint64_t there = require_same(own, setup_, checkpoint);
+  if (exchanges) {
     exchange_.restore(checkpoint);
-    bodies_.resize(print.count, setup_.effects);
-    places_.resize(print.count);
+    bodies_.resize(there, setup_.effects);
+    places_.resize(there);
     checkpoint.get("places", places_);
     unsorted_ = checkpoint.get_value<uint64_t>("unsorted");
   }
-  if (print.count != bodies_.count()) {
-    throw Error("the checkpoint holds " + std::to_string(print.count) + " particles, the scene " +
-                std::to_string(bodies_.count()));
-  }
-  if (print.time_step != setup_.time_step) {
-    throw Error("the checkpoint was made with the time step " + text(print.time_step) + ", the scene has " +
-                text(setup_.time_step));
-  }
-  if (has(setup_.effects, kMaterials)) restore_materials(checkpoint);
+  if (has(setup_.effects, kMaterials)) checkpoint.get("materials", bodies_.materials);
   steps_ = checkpoint.get_value<uint64_t>("steps");
   forces_known_ = checkpoint.get_value<uint64_t>("forces known") != 0;
   last_drift_ = checkpoint.get_value<double>("last drift");
@@ -266,16 +242,6 @@ void Simulation<D, Real>::restore(const Checkpoint &checkpoint) {
   surfaces_.restore(checkpoint);
   radii_new_ = true;
   room_.forget();
-}
-
-// Numbers of materials mean the same only where they have the same names in the same order.
-template <int D, class Real>
-void Simulation<D, Real>::restore_materials(const Checkpoint &checkpoint) {
-  std::vector<char> stored;
-  checkpoint.get_all("material names", stored);
-  const std::string names(stored.begin(), stored.end()), own = names_of(setup_.materials);
-  if (names != own) throw Error("the checkpoint has the materials " + names + ", the scene has " + own);
-  checkpoint.get("materials", bodies_.materials);
 }
 
 #define DEM_INSTANTIATE(D, Real)                                         \

@@ -31,9 +31,7 @@ void save(const Departure &departure, const std::string &when, dem::Checkpoint &
   std::copy_n(box.min, 3, numbers.min);
   std::copy_n(box.max, 3, numbers.max);
   checkpoint.put_value(when + " numbers", numbers);
-  std::string names;
-  for (const std::string &name : departure.materials) names += name + '\0';
-  checkpoint.put(when + " material names", names.data(), names.size());
+  checkpoint.put_texts(when + " material names", departure.materials);
   save_handover(departure.state, when, checkpoint);
 }
 
@@ -47,13 +45,7 @@ std::optional<Departure> departure_in(const dem::Checkpoint &checkpoint, const s
   std::copy_n(numbers.min, 3, departure.box.min);
   std::copy_n(numbers.max, 3, departure.box.max);
   departure.shear_rate = numbers.shear_rate;
-  std::vector<char> names;
-  checkpoint.get_all(when + " material names", names);
-  for (auto name = names.begin(); name != names.end();) {
-    const auto end = std::find(name, names.end(), '\0');
-    departure.materials.emplace_back(name, end);
-    name = end == names.end() ? end : end + 1;
-  }
+  departure.materials = checkpoint.get_texts(when + " material names");
   departure.state = dem::restore_handover(when, checkpoint);
   return departure;
 }

@@ -64,25 +64,17 @@ void set_temperature(const Table &table, size_t first, dem::Setup &setup) {
   heat(table, temperature, first, setup);
 }
 
-// Null: the file has none.
-const double *column_of(const particles::ParticleSet &set, const char *name) {
-  for (const particles::Column &column : set.columns) {
-    if (column.name == name) return column.values.data();
-  }
-  return nullptr;
-}
-
 // The vector of particle k in the file, if it has such, and that of the group. In two dimensions spins point along z.
 void append_motion(const particles::ParticleSet &set, const char *name, size_t k, const std::vector<double> &group,
                    std::vector<double> &all) {
-  const double *own = column_of(set, name);
+  const double *own = set.column(name);
   if (own != nullptr) own += 3 * k + (group.size() == 1 ? 2 : 0);
   for (size_t axis = 0; axis < group.size(); axis++) all.push_back(group[axis] + (own != nullptr ? own[axis] : 0));
 }
 
 // What each particle is made of: as the group says, else as its file.
 std::vector<int> materials_of(const Table &table, const dem::Setup &setup, particles::ParticleSet &set) {
-  const double *own = column_of(set, "material");
+  const double *own = set.column("material");
   if (own == nullptr || !has(setup.effects, dem::kMaterials) || table.has("material")) {
     if (own != nullptr) set.unused.emplace_back("material");
     return std::vector<int>(set.count(), material_of_group(table, setup));
@@ -100,7 +92,7 @@ std::vector<int> materials_of(const Table &table, const dem::Setup &setup, parti
 // Those of the file, unless the group or its material tells a density; 0 and infinity are of particles that are fixed.
 std::vector<double> masses_of(const Table &table, const dem::Setup &setup, particles::ParticleSet &set,
                               const std::vector<int> &materials) {
-  const double *own = column_of(set, "mass");
+  const double *own = set.column("mass");
   const int material = material_in(table, setup);
   const bool is_told =
       table.has("density") || (material >= 0 && setup.materials[static_cast<size_t>(material)].density > 0);
@@ -108,7 +100,7 @@ std::vector<double> masses_of(const Table &table, const dem::Setup &setup, parti
   std::vector<double> result;
   for (size_t k = 0; k < set.count(); k++) {
     if (own == nullptr || is_told) {
-      result.push_back(density_of(table, setup, materials[k]) * volume_of_particle(set.radii[k], setup.dimension));
+      result.push_back(density_of(table, setup, materials[k]) * dem::volume_of_particle(set.radii[k], setup.dimension));
       continue;
     }
     if (!(own[k] >= 0))
@@ -119,10 +111,6 @@ std::vector<double> masses_of(const Table &table, const dem::Setup &setup, parti
 }
 
 }  // namespace
-
-double volume_of_particle(double radius, int dimension) {
-  return dimension == 2 ? kPi * radius * radius : 4 * kPi / 3 * radius * radius * radius;
-}
 
 int material_of_group(const Table &table, const dem::Setup &setup) {
   const int material = material_in(table, setup);
@@ -163,7 +151,7 @@ particles::ParticleSet add_particles(const Table &table, const std::string &fold
   }
   setup.centers.insert(setup.centers.end(), set.centers.begin(), set.centers.end());
   set_temperature(table, first, setup);
-  if (column_of(set, "spin") != nullptr && !has(setup.effects, dem::kFriction)) set.unused.emplace_back("spin");
+  if (set.column("spin") != nullptr && !has(setup.effects, dem::kFriction)) set.unused.emplace_back("spin");
   return set;
 }
 

@@ -20,7 +20,4 @@ particles::ParticleSet add_particles(const Table &table, const std::string &fold
 int material_of_group(const Table &table, const dem::Setup &setup);
 double density_of(const Table &table, const dem::Setup &setup, int material);
 
-// Of a sphere, or the area of a disc.
-double volume_of_particle(double radius, int dimension);
-
 }  // namespace scene

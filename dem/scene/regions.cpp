@@ -4,6 +4,7 @@
 #include "dem/scene/regions.hpp"
 
 #include "dem/base/error.hpp"
+#include "dem/base/vector.hpp"
 #include "dem/scene/materials.hpp"
 #include "dem/scene/particles.hpp"
 #include "dem/scene/size_laws.hpp"
@@ -79,7 +80,7 @@ dem::Inflow read_inflow(const Table &table, const std::string &folder, const dem
   inflow.radii = read_radii(table, folder, setup.dimension, inflow);
   const double density = density_of(table, setup, inflow.material);
   for (const double radius : inflow.radii)
-    inflow.masses.push_back(density * volume_of_particle(radius, setup.dimension));
+    inflow.masses.push_back(density * dem::volume_of_particle(radius, setup.dimension));
   const double largest = *std::max_element(inflow.radii.begin(), inflow.radii.end());
   for (int axis = 0; axis < setup.dimension; axis++) {
     const double low = inflow.box.low[axis], high = inflow.box.high[axis];

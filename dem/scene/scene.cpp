@@ -181,9 +181,7 @@ dem::Handover thinned(const Table &stage, int dimension, const dem::Handover &st
 // Files tell whether they hold masses only when they are read.
 particles::ParticleSet add_group(const Table &top, const Table &group, const std::string &folder, dem::Setup &setup) {
   particles::ParticleSet source = add_particles(group, folder, setup);
-  const bool has_masses = std::any_of(source.columns.begin(), source.columns.end(),
-                                      [](const particles::Column &column) { return column.name == "mass"; });
-  if (group.has("file") && !has_masses) refuse_silent_density(top, group);
+  if (group.has("file") && source.column("mass") == nullptr) refuse_silent_density(top, group);
   return source;
 }
 

@@ -23,6 +23,13 @@ struct ContactMemory {
   std::array<std::vector<double>, kHistoryCount> rows;  // by history_of(effect), a vector for each pair, or empty
 };
 
+// Its arrays under the names that they have in checkpoints: what is written and what is read is one list.
+template <class SomeMemory, class Visit>
+void visit_memory(const std::string &name, SomeMemory &memory, Visit visit) {
+  visit(name + " pairs", memory.pairs);
+  for (size_t k = 0; k < kHistoryCount; k++) visit(name + " rows " + std::to_string(k), memory.rows[k]);
+}
+
 // Where a wall beside those of the box stands, and which numbers its surfaces have.
 struct NamedPlace {
   std::string name;

@@ -89,4 +89,11 @@ void check_setup(const Setup &setup) {
   if (!(setup.skin >= 0)) throw Error("the skin is 0 or above, not " + text(setup.skin));
 }
 
+Setup without_particles(const Setup &setup) {
+  Setup result = setup;
+  static_cast<ParticleArrays &>(result) = {};
+  result.beginning.pairs = result.beginning.walls = {};
+  return result;
+}
+
 }  // namespace dem

@@ -59,6 +59,9 @@ void visit_particles(const Setup &setup, Visit visit) {
   }
 }
 
+// For those who keep the particles and what contacts remember elsewhere.
+Setup without_particles(const Setup &setup);
+
 // Throws Error naming what cannot be and its value; the time step is looked at by time_step.hpp.
 void check_setup(const Setup &setup);
 

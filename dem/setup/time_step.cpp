@@ -85,4 +85,10 @@ double fastest_allowed(const Setup &setup) {
   return fastest;
 }
 
+std::string speed_fault(const Setup &setup, double approach, double allowed) {
+  return "particles approach with " + text(approach) + ", and the time step " + text(setup.time_step) +
+         " is short enough for " + text(allowed) + ": give an impact_speed of " + text(2 * approach) +
+         ", or a shorter step";
+}
+
 }  // namespace dem

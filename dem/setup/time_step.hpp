@@ -40,5 +40,7 @@ void require_time_step(const Setup &setup);
 
 // The fastest approach for which the setup's time step is within the limit; infinite where it does not depend on it.
 double fastest_allowed(const Setup &setup);
+// What is wrong with a faster one.
+std::string speed_fault(const Setup &setup, double approach, double allowed);
 
 }  // namespace dem

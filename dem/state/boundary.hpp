@@ -119,6 +119,14 @@ struct WallReach {
       if (above(x, r, axis)) contacts.push_back({static_cast<int32_t>(i), 2 * axis + 1});
     }
   }
+
+  // Of bodies 0 .. count - 1.
+  template <class Bodies>
+  void list_all(const Bodies &bodies, size_t count, std::vector<hg_pair> &contacts) const {
+    for (size_t i = 0; i < count; i++) {
+      if (any(bodies.position(i), bodies.radius(i))) list(bodies.position(i), bodies.radius(i), i, contacts);
+    }
+  }
 };
 
 }  // namespace dem

@@ -61,6 +61,24 @@ uint64_t Checkpoint::checksum(const char *bytes, size_t count) {
   return sum;
 }
 
+// One after the other, each with a 0 at its end.
+void Checkpoint::put_texts(const std::string &name, const std::vector<std::string> &texts) {
+  std::string all;
+  for (const std::string &text : texts) all += text + '\0';
+  put(name, all.data(), all.size());
+}
+
+std::vector<std::string> Checkpoint::get_texts(const std::string &name) const {
+  std::vector<std::string> texts;
+  const std::vector<char> &all = block(name);
+  for (auto begin = all.begin(); begin != all.end();) {
+    const auto end = std::find(begin, all.end(), '\0');
+    texts.emplace_back(begin, end);
+    begin = end == all.end() ? end : end + 1;
+  }
+  return texts;
+}
+
 void Checkpoint::write(const std::string &path) const {
   std::string bytes(kTitle);
   append(bytes, kByteOrder);

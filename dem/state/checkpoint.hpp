@@ -32,6 +32,9 @@ class Checkpoint {
     put(name, &value, 1);
   }
 
+  // Of any length, without the character 0.
+  void put_texts(const std::string &name, const std::vector<std::string> &texts);
+
   bool holds(const std::string &name) const { return blocks_.count(name) > 0; }
 
   // Throw Error if there is no such block or it does not hold `count` items.
@@ -51,6 +54,7 @@ class Checkpoint {
     items.resize(block(name).size() / sizeof(T));
     get(name, items);
   }
+  std::vector<std::string> get_texts(const std::string &name) const;
   template <class T>
   T get_value(const std::string &name) const {
     T value;

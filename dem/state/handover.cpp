@@ -51,44 +51,37 @@ void visit_arrays(SomeHandover &handover, const std::string &when, Visit visit) 
   visit(when + " masses", handover.particles.masses);
   visit(when + " spins", handover.particles.spins);
   visit(when + " materials", handover.particles.material_ids);
-  const auto visit_memory = [&](const std::string &name, auto &memory) {
-    visit(name + " pairs", memory.pairs);
-    for (size_t k = 0; k < kHistoryCount; k++) visit(name + " rows " + std::to_string(k), memory.rows[k]);
-  };
-  visit_memory(when + " pair", handover.beginning.pairs);
-  visit_memory(when + " wall", handover.beginning.walls);
-  visit_memory(when + " surface", handover.beginning.surfaces);
+  visit_memory(when + " pair", handover.beginning.pairs, visit);
+  visit_memory(when + " wall", handover.beginning.walls, visit);
+  visit_memory(when + " surface", handover.beginning.surfaces, visit);
 }
 
-// Names may be of any length, so they stand one after the other, each with a 0 at its end.
 void save_places(const std::vector<NamedPlace> &places, const std::string &when, Checkpoint &checkpoint) {
-  std::string names;
+  std::vector<std::string> names;
   std::vector<double> numbers;
   std::vector<uint64_t> surfaces;
   for (const NamedPlace &wall : places) {
-    names += wall.name + '\0';
+    names.push_back(wall.name);
     numbers.insert(numbers.end(), wall.place.shift, wall.place.shift + 3);
     numbers.insert(numbers.end(), {wall.place.angle, wall.place.press_speed});
     surfaces.insert(surfaces.end(), {wall.first_surface, wall.surface_count});
   }
-  checkpoint.put(when + " wall names", names.data(), names.size());
+  checkpoint.put_texts(when + " wall names", names);
   checkpoint.put(when + " wall places", numbers);
   checkpoint.put(when + " wall surfaces", surfaces);
 }
 
 std::vector<NamedPlace> restore_places(const std::string &when, const Checkpoint &checkpoint) {
-  std::vector<char> names;
+  const std::vector<std::string> names = checkpoint.get_texts(when + " wall names");
   std::vector<uint64_t> surfaces;
-  checkpoint.get_all(when + " wall names", names);
   checkpoint.get_all(when + " wall surfaces", surfaces);
   std::vector<NamedPlace> places(surfaces.size() / 2);
   std::vector<double> numbers(5 * places.size());
   checkpoint.get(when + " wall places", numbers);
-  auto name = names.begin();
+  if (names.size() != places.size())
+    throw Error("the checkpoint names " + std::to_string(names.size()) + " walls of " + std::to_string(places.size()));
   for (size_t k = 0; k < places.size(); k++) {
-    const auto end = std::find(name, names.end(), '\0');
-    places[k].name.assign(name, end);
-    name = end == names.end() ? end : end + 1;
+    places[k].name = names[k];
     std::copy_n(&numbers[5 * k], 3, places[k].place.shift);
     places[k].place.angle = numbers[5 * k + 3];
     places[k].place.press_speed = numbers[5 * k + 4];

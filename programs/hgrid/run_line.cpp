@@ -23,6 +23,17 @@ void RunLine::show(uint64_t step, const dem::Measurement &m) {
   std::fflush(stderr);
 }
 
+uint64_t next_record(const scene::OutputPlan &plan, uint64_t step, uint64_t until) {
+  for (const uint64_t interval : {plan.pictures, plan.energies, plan.checkpoints}) {
+    if (interval > 0) until = std::min(until, (step / interval + 1) * interval);
+  }
+  return until;
+}
+
+bool is_recorded(uint64_t interval, uint64_t step, uint64_t last) {
+  return interval > 0 && (step % interval == 0 || step == last);
+}
+
 void print_scene(const scene::Scene &scene, const std::string &path) {
   const dem::Setup &setup = scene.setup;
   double smallest = dem::kInfinity, largest = 0;

@@ -48,10 +48,11 @@ class RunLine {
   std::chrono::steady_clock::time_point shown_ = std::chrono::steady_clock::now();
 };
 
-// The next multiple of `interval` after `step`; never for 0.
-inline uint64_t next_after(uint64_t step, uint64_t interval, uint64_t never) {
-  return interval > 0 ? (step / interval + 1) * interval : never;
-}
+// The next step at which something is recorded, if that comes before `until`.
+uint64_t next_record(const scene::OutputPlan &plan, uint64_t step, uint64_t until);
+// Whether what is recorded at this interval is due. The last step is always one, since intervals are rounded to steps
+// and need not end there.
+bool is_recorded(uint64_t interval, uint64_t step, uint64_t last);
 
 // What the scene at `path` is.
 void print_scene(const scene::Scene &scene, const std::string &path);

@@ -86,9 +86,8 @@ class RankRun {
     while (engine_.steps_done() < scene_.steps) {
       if (ranks_.any(interrupt_.requested())) return stop();
       const uint64_t step = engine_.steps_done();
-      uint64_t until = ranks_.of_first(std::min(scene_.steps, step + line_.patience()));
-      for (const uint64_t interval : {scene_.output.pictures, scene_.output.energies, scene_.output.checkpoints})
-        until = std::min(until, next_after(step, interval, until));
+      const uint64_t most = ranks_.of_first(std::min(scene_.steps, step + line_.patience()));
+      const uint64_t until = next_record(scene_.output, step, most);
       const auto start = std::chrono::steady_clock::now();
       engine_.run(until - step);
       line_.worked(until - step, particles_, measure::seconds_since(start));
@@ -107,11 +106,7 @@ class RankRun {
                            "; go on with hgrid-mpi run " + options_.scene + " --restart " + files_.checkpoint_path());
   }
 
-  // The last step is always one, since intervals are rounded to steps and need not end there.
-  bool is_time(uint64_t interval) const {
-    const uint64_t step = engine_.steps_done();
-    return interval > 0 && (step % interval == 0 || step == scene_.steps);
-  }
+  bool is_time(uint64_t interval) const { return is_recorded(interval, engine_.steps_done(), scene_.steps); }
 
   void record() {
     const uint64_t step = engine_.steps_done();

@@ -67,10 +67,7 @@ class Run {
     record();
     while (engine_.steps_done() < scene_.steps && !interrupt_.requested()) {
       const uint64_t step = engine_.steps_done();
-      uint64_t until = std::min(scene_.steps, step + line_.patience());
-      for (const uint64_t interval : {scene_.output.pictures, scene_.output.energies, scene_.output.checkpoints}) {
-        until = std::min(until, next_after(step, interval, until));
-      }
+      const uint64_t until = next_record(scene_.output, step, std::min(scene_.steps, step + line_.patience()));
       const Clock::time_point start = Clock::now();
       engine_.run(until - step);
       line_.worked(until - step, engine_.particle_count(), measure::seconds_since(start));
@@ -84,11 +81,7 @@ class Run {
   const dem::Watch &watch() const { return watch_; }
 
  private:
-  // The last step is always one, since intervals are rounded to steps and need not end there.
-  bool is_time(uint64_t interval) const {
-    const uint64_t step = engine_.steps_done();
-    return interval > 0 && (step % interval == 0 || step == scene_.steps);
-  }
+  bool is_time(uint64_t interval) const { return is_recorded(interval, engine_.steps_done(), scene_.steps); }
 
   void record() {
     const uint64_t step = engine_.steps_done();
