@@ -14,11 +14,11 @@ namespace {
 
 // By the names that recorder.cpp gives, and files over ranks.
 bool is_of_a_run(const std::string &name) {
-  constexpr const char *kNames[] = {"energy.csv",   "bulk.csv",   "walls.csv",    "regions.csv",
-                                    "exchange.csv", "states.pvd", "contacts.pvd", "checkpoint"};
+  constexpr const char *kNames[] = {"energy.csv", "bulk.csv",     "walls.csv", "regions.csv", "exchange.csv",
+                                    "states.pvd", "contacts.pvd", "walls.pvd", "checkpoint"};
   const auto starts_with = [&](const std::string &start) { return name.compare(0, start.size(), start) == 0; };
   return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames) || starts_with("state-") ||
-         starts_with("contacts-") || starts_with("checkpoint-");
+         starts_with("contacts-") || starts_with("walls-") || starts_with("checkpoint-");
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include "dem/engine/region_content.hpp"
 #include "dem/output/network.hpp"
 #include "dem/output/picture.hpp"
+#include "dem/output/wall_shapes.hpp"
 #include "particles/error.hpp"
+#include "particles/files/walls_vtp.hpp"
 #include "particles/files/writer.hpp"
 #include "particles/text/formatted.hpp"
 
@@ -63,6 +65,7 @@ Recorder::Recorder(std::string directory, Asked asked, uint64_t done)
   if (asked_.bulk) bulk_ = std::make_unique<CsvTable>(directory_ + "/bulk.csv", kBulk, done);
   if (done == 0) return;
   animation_ = files_until(directory_ + "/states.pvd", name_of_step("state", done, "vtp"));
+  wall_pictures_ = files_until(directory_ + "/walls.pvd", name_of_step("walls", done, "vtp"));
   if (asked_.contacts) networks_ = files_until(directory_ + "/contacts.pvd", name_of_step("contacts", done, "vtp"));
 }
 
@@ -76,6 +79,12 @@ void Recorder::picture(const dem::Setup &setup, uint64_t step, dem::Engine &engi
     if (format != "vtp") continue;
     animation_.push_back({time, name});
     write_animation(directory_ + "/states.pvd", animation_);
+  }
+  const particles::WallShapes walls = wall_shapes(setup, engine.walls_now(), set);
+  if (!walls.empty()) {
+    wall_pictures_.push_back({time, name_of_step("walls", step, "vtp")});
+    particles::write_walls(directory_ + "/" + wall_pictures_.back().name, time, walls);
+    write_animation(directory_ + "/walls.pvd", wall_pictures_);
   }
   if (!asked_.contacts) return;
   networks_.push_back({time, name_of_step("contacts", step, "vtp")});

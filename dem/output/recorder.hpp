@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The files of a run: pictures of the state, tables of energies, averages, walls and regions, networks of contacts, the
-// checkpoint.
+// The files of a run: pictures of the state and of its walls, tables of energies, averages, walls and regions, networks
+// of contacts, the checkpoint.
 #pragma once
 
 #include "dem/engine/engine.hpp"
@@ -32,7 +32,7 @@ class Recorder {
   // its last checkpoint, is dropped, since it comes again.
   Recorder(std::string directory, Asked asked, uint64_t done);
 
-  // `setup` gives the box.
+  // `setup` gives the box and the walls.
   void picture(const dem::Setup &setup, uint64_t step, dem::Engine &engine);
   // A row of each table.
   void measurement(uint64_t step, const dem::Measurement &measurement);
@@ -52,7 +52,7 @@ class Recorder {
   Asked asked_;
   uint64_t done_;
   std::unique_ptr<CsvTable> energies_, bulk_, walls_, regions_, passages_;
-  std::vector<TimedFile> animation_, networks_;
+  std::vector<TimedFile> animation_, networks_, wall_pictures_;
 };
 
 }  // namespace output

@@ -80,6 +80,15 @@ double reach_of(const WallBody &wall) {
 }  // namespace
 
 template <int D>
+WallPose<D> pose_of(const WallBody &wall, const WallPlace &place) {
+  WallPose<D> pose;
+  pose.turn = turn_by<D>(wall, place.angle);
+  pose.origin = vector_of<D>(wall.pivot);
+  pose.pivot = pose.origin + vector_of<D>(place.shift);
+  return pose;
+}
+
+template <int D>
 Surfaces<D>::Surfaces(const Setup &setup) : walls_(setup.walls), states_(walls_.size()), poses_(walls_.size()) {
   for (size_t k = 0; k < walls_.size(); k++) {
     add_surfaces<D>(setup, static_cast<int32_t>(k), resting_);
@@ -109,11 +118,8 @@ void Surfaces<D>::move_to(double time) {
   time_ = time;
   for (size_t k = 0; k < walls_.size(); k++) {
     const WallBody &wall = walls_[k];
-    const WallPlace place = place_of(k);
     WallPose<D> &pose = poses_[k];
-    pose.turn = turn_by<D>(wall, place.angle);
-    pose.origin = vector_of<D>(wall.pivot);
-    pose.pivot = pose.origin + vector_of<D>(place.shift);
+    pose = dem::pose_of<D>(wall, place_of(k));
     const double rate = 2 * kPi * wall.frequency;
     pose.velocity = vector_of<D>(wall.velocity) + rate * std::cos(rate * time) * vector_of<D>(wall.swing) +
                     states_[k].press_speed * vector_of<D>(wall.normal);
@@ -289,6 +295,7 @@ void Surfaces<D>::restore(const Checkpoint &checkpoint) {
   if (!empty()) checkpoint.get("walls", states_);
 }
 
+template WallPose<3> pose_of(const WallBody &, const WallPlace &);
 template class Surfaces<2>;
 template class Surfaces<3>;
 template void Surfaces<2>::list(const Bodies<2, double> &, ContactSearch &, double, double);

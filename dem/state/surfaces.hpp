@@ -23,6 +23,10 @@ struct WallReport {
   double work = 0;    // that it has done on particles
 };
 
+// Where a wall at this place stands, at rest.
+template <int D>
+WallPose<D> pose_of(const WallBody &wall, const WallPlace &place);
+
 // What the surface at one place of the list does to its particle.
 template <int D>
 struct SurfacePush {

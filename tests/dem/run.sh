@@ -150,6 +150,50 @@ if command -v povray >/dev/null; then
   [[ $(head -c 4 state.png | tail -c 3) == PNG && ! -e state.png.pov ]] || fail "no PNG: $(ls)"
 fi
 
+# Walls stand in their own files beside the states, where they were then.
+cat >paddle.stl <<'STL'
+solid paddle
+facet normal 0 1 0
+outer loop
+vertex 0 0 0
+vertex 2 0 0
+vertex 0 0 1
+endloop
+endfacet
+endsolid paddle
+STL
+cat >walled.toml <<'TOML'
+[[particles]]
+at = [[0, 0, 3], [1.5, 0.2, 2]]
+radius = 0.3
+[box]
+min = [-3, -3, 0]
+max = [3, 3, 40]
+walls = "z"
+[[wall]]
+name = "piston"
+point = [0, 0, 5]
+normal = [0, 0, -1]
+velocity = [0, 0, -0.5]
+[[wall]]
+point = [0, 0, 0]
+axis = [0, 0, 1]
+radius = 2.5
+[[wall]]
+name = "paddle"
+file = "paddle.stl"
+turning = 0.7
+[contact]
+stiffness = 1e3
+[time]
+end = 1.5
+[output]
+every = 0.5
+energy = 0.5
+TOML
+"$hgrid" run walled.toml --quiet --output walled >/dev/null
+"$python" "$here/read_walls.py" walled || fail "walls do not read back"
+
 # An absurd start is warned of, and refused when asked: a ball half a metre under the floor.
 cat >under.toml <<'TOML'
 [[particles]]
