@@ -25,7 +25,7 @@ _hgrid() {
     slice) options='-h --help -o --output --axis --at --levels --level-count --format --frame --dimension --header --radius --diameter --type-radius --box --tilt --periodic --open' ;;
     run) options='-h --help --restart --from --output --threads --skin --steps --quiet --strict --set --overwrite' ;;
     plot) options='-h --help -o --output --title' ;;
-    picture) options='-h --help -o --output --color --stiffness --width --cut --format --frame --dimension --header --radius --diameter --type-radius --box --tilt --periodic --open' ;;
+    picture) options='-h --help -o --output --color --stiffness --width --cut --no-walls --format --frame --dimension --header --radius --diameter --type-radius --box --tilt --periodic --open' ;;
     scenes) options='-h --help --keys' ;;
     accuracy) options='-h --help --knob --quick --count --truth-count --repeats --markdown --from --csv --svg --simulation' ;;
   esac

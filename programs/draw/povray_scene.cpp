@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The longest edge of what is drawn is 1, its middle the origin, z upwards; discs lie in the plane y = 0.
 #include "programs/draw/povray_scene.hpp"
 
+#include "particles/clipping.hpp"
 #include "particles/text/formatted.hpp"
 #include "programs/draw/palette.hpp"
+#include "programs/draw/povray_space.hpp"
+#include "programs/draw/povray_walls.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +15,12 @@
 namespace draw {
 namespace {
 
+using particles::Bounds;
 using particles::formatted;
+using particles::Point;
 
 constexpr int kSteps = 64;  // of colour
 constexpr double kBar = 0.7, kThick = 0.022, kLetter = 0.045, kMargin = 0.05;
-
-struct Vector {
-  double x = 0, y = 0, z = 0;
-};
-
-Vector operator*(double factor, const Vector &v) { return {factor * v.x, factor * v.y, factor * v.z}; }
 
 // The axes of the picture: to its right, upwards, and away from the viewer.
 struct Camera {
@@ -39,39 +37,27 @@ Camera camera_of(int dimension) {
   return {right, up, away};
 }
 
-struct Box {
-  Vector low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-
-  void hold(const Vector &point, double radius) {
-    low = {std::min(low.x, point.x - radius), std::min(low.y, point.y - radius), std::min(low.z, point.z - radius)};
-    high = {std::max(high.x, point.x + radius), std::max(high.y, point.y + radius), std::max(high.z, point.z + radius)};
-  }
-  double edge() const { return std::max({high.x - low.x, high.y - low.y, high.z - low.z}); }
-  // To the units of the scene.
-  Vector placed(const Vector &point) const {
-    return {(point.x - 0.5 * (low.x + high.x)) / edge(), (point.y - 0.5 * (low.y + high.y)) / edge(),
-            (point.z - 0.5 * (low.z + high.z)) / edge()};
-  }
-};
-
-Vector center_of(const particles::ParticleSet &set, size_t i) {
+Point center_of(const particles::ParticleSet &set, size_t i) {
   const double *center = set.center(i);
-  if (set.dimension == 2) return {center[0], 0, center[1]};
-  return {center[0], center[1], center[2]};
+  return upright({center[0], center[1], set.dimension == 2 ? 0 : center[2]}, set.dimension);
+}
+
+// The edges of a box are drawn where no walls are known.
+bool shows_edges(const particles::ParticleSet &set, const particles::WallShapes &walls) {
+  return set.has_box && set.dimension == 3 && walls.empty();
 }
 
 // Discs are seen whole, whatever their box; it may be far larger than what is left in it.
-Box box_of(const particles::ParticleSet &set) {
-  Box box;
-  for (size_t i = 0; i < set.count(); i++) box.hold(center_of(set, i), set.radii[i]);
-  if (set.has_box && set.dimension == 3) {
-    box.hold({set.box_min[0], set.box_min[1], set.box_min[2]}, 0);
-    box.hold({set.box_max[0], set.box_max[1], set.box_max[2]}, 0);
+Bounds view_of(const particles::ParticleSet &set, const particles::WallShapes &walls) {
+  Bounds view;
+  for (size_t i = 0; i < set.count(); i++) view.hold(center_of(set, i), set.radii[i]);
+  if (shows_edges(set, walls)) {
+    view.hold({set.box_min[0], set.box_min[1], set.box_min[2]});
+    view.hold({set.box_max[0], set.box_max[1], set.box_max[2]});
   }
-  return box;
+  if (!walls.empty()) hold_walls(view, walls, set.dimension);
+  return view;
 }
-
-std::string text_of(const Vector &v) { return formatted("<%.5f,%.5f,%.5f>", v.x, v.y, v.z); }
 
 // Of a share from 0, dark, to 1, light.
 std::string color_of(double share) {
@@ -110,15 +96,15 @@ struct Reach {
   double right = 0, up = 0;
 };
 
-Reach reach_of(const Box &box, const Camera &camera) {
-  const Vector half = 0.5 / box.edge() * Vector{box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z};
+Reach reach_of(const Bounds &view, const Camera &camera) {
+  const Vector half = placed(view.high, view);
   const auto reach = [&](const Vector &axis) {
     return std::fabs(axis.x) * half.x + std::fabs(axis.y) * half.y + std::fabs(axis.z) * half.z;
   };
   return {reach(camera.right), reach(camera.up)};
 }
 
-std::string edges_of(const particles::ParticleSet &set, const Box &box) {
+std::string edges_of(const particles::ParticleSet &set, const Bounds &view) {
   std::string text;
   const double low[3] = {set.box_min[0], set.box_min[1], set.box_min[2]},
                high[3] = {set.box_max[0], set.box_max[1], set.box_max[2]};
@@ -129,7 +115,7 @@ std::string edges_of(const particles::ParticleSet &set, const Box &box) {
     const double up = c[2] - low[2], deep = c[1] - low[1], z = high[2] - low[2], y = high[1] - low[1];
     c[0] += set.tilt[0] * deep / y + set.tilt[1] * up / z;
     c[1] += set.tilt[2] * up / z;
-    return box.placed({c[0], c[1], c[2]});
+    return placed({c[0], c[1], c[2]}, view);
   };
   for (int from = 0; from < 8; from++) {
     for (int axis = 0; axis < 3; axis++) {
@@ -167,11 +153,12 @@ std::string bar_of(const Shading &shading, const Scale &scale, const Camera &cam
 
 }  // namespace
 
-RenderedScene povray_scene(const particles::ParticleSet &set, const Shading &shading, bool cut) {
-  const Box box = box_of(set);
+RenderedScene povray_scene(const particles::ParticleSet &set, const Shading &shading, bool cut,
+                           const particles::WallShapes &walls) {
+  const Bounds view = view_of(set, walls);
   const Camera camera = camera_of(set.dimension);
   const Scale scale(shading);
-  const Reach reach = reach_of(box, camera);
+  const Reach reach = reach_of(view, camera);
   const double under = scale.is_one() ? 0 : kThick + 2 * kLetter;  // for the bar
   const double width = 2 * std::max(reach.right, 0.62 * kBar) + 2 * kMargin,
                height = 2 * reach.up + 2 * kMargin + under;
@@ -179,7 +166,7 @@ RenderedScene povray_scene(const particles::ParticleSet &set, const Shading &sha
   RenderedScene scene;
   scene.aspect = width / height;
   scene.text =
-      "#version 3.7;\nglobal_settings { assumed_gamma 1.0 max_trace_level 2 }\nbackground { color rgb 1 }\n"
+      "#version 3.7;\nglobal_settings { assumed_gamma 1.0 max_trace_level 64 }\nbackground { color rgb 1 }\n"
       "camera { orthographic location " +
       text_of({eye.x + middle.x, eye.y + middle.y, eye.z + middle.z}) + " direction " + text_of(camera.away) +
       " right " + text_of(width * camera.right) + " up " + text_of(height * camera.up) + " }\n" +
@@ -191,13 +178,15 @@ RenderedScene povray_scene(const particles::ParticleSet &set, const Shading &sha
     scene.text += formatted("#declare T%d = texture { pigment { color %s } }\n", k,
                             color_of(static_cast<double>(k) / kSteps).c_str());
   }
+  const double edge = view.edge();
   for (size_t i = 0; i < set.count(); i++) {
-    const Vector place = box.placed(center_of(set, i));
+    const Vector place = placed(center_of(set, i), view);
     if (cut && place.x > 0 && place.y < 0 && place.z > 0) continue;
     const int step = static_cast<int>(std::lround(kSteps * scale.share(shading.values[i])));
-    scene.text += "sphere{" + text_of(place) + formatted(",%.5f texture{T%d}}\n", set.radii[i] / box.edge(), step);
+    scene.text += "sphere{" + text_of(place) + formatted(",%.5f texture{T%d}}\n", set.radii[i] / edge, step);
   }
-  if (set.has_box && set.dimension == 3) scene.text += edges_of(set, box);
+  if (shows_edges(set, walls)) scene.text += edges_of(set, view);
+  scene.text += povray_walls(walls, view, set.dimension);
   if (!scale.is_one()) scene.text += bar_of(shading, scale, camera, reach.up + kMargin / 2 + kThick);
   return scene;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "particles/particle_set.hpp"
+#include "particles/wall_shapes.hpp"
 
 #include <string>
 #include <vector>
@@ -22,9 +23,10 @@ struct RenderedScene {
   double aspect = 1;  // width over height of the picture
 };
 
-// Dark for the least value, light for the largest. Spheres are seen from the front, the right and above, in the edges
-// of their box if they have one; discs from the front. `cut` leaves out the particles with their centre in the eighth
-// of the box towards the viewer.
-RenderedScene povray_scene(const particles::ParticleSet &set, const Shading &shading, bool cut);
+// Dark for the least value, light for the largest. Spheres are seen from the front, the right and above, within their
+// walls, or in the edges of their box if there are none; discs from the front. `cut` leaves out the particles with
+// their centre in the eighth of the view towards the viewer.
+RenderedScene povray_scene(const particles::ParticleSet &set, const Shading &shading, bool cut,
+                           const particles::WallShapes &walls);
 
 }  // namespace draw

@@ -150,7 +150,8 @@ if command -v povray >/dev/null; then
   [[ $(head -c 4 state.png | tail -c 3) == PNG && ! -e state.png.pov ]] || fail "no PNG: $(ls)"
 fi
 
-# Walls stand in their own files beside the states, where they were then.
+# Walls stand in their own files beside the states, where they were then, and in the pictures: without them the scene
+# has its spheres alone.
 cat >paddle.stl <<'STL'
 solid paddle
 facet normal 0 1 0
@@ -193,6 +194,18 @@ energy = 0.5
 TOML
 "$hgrid" run walled.toml --quiet --output walled >/dev/null
 "$python" "$here/read_walls.py" walled || fail "walls do not read back"
+last=$(basename "$(ls walled/state-*.vtp | tail -1)")
+"$hgrid" picture "walled/$last" --output walled.pov >out.txt
+"$hgrid" picture "walled/$last" --no-walls --output bare.pov >out.txt
+read -r lines faces < <(awk '/^cylinder/ { lines++ } /^triangle/ { faces++ } END { print lines, faces }' walled.pov)
+[[ $lines -ge 150 && $faces -ge 150 ]] || fail "the picture shows $lines lines and $faces triangles of walls"
+# Faces and lines let light through, and no bar of colours is there.
+[[ $(grep -c '^sphere' walled.pov) == 2 && $(grep -c no_shadow walled.pov) == 2 ]] || fail "walls cast shadows"
+[[ $(grep -c rgbt walled.pov) == 2 ]] || fail "walls are not seen through"
+grep -qE '^(cylinder|triangle|mesh)' bare.pov && fail "--no-walls shows walls"
+cp "walled/$last" elsewhere.vtp
+"$hgrid" picture elsewhere.vtp --output elsewhere.pov >out.txt
+cmp bare.pov elsewhere.pov || fail "a state without walls beside it is another picture"
 
 # An absurd start is warned of, and refused when asked: a ball half a metre under the floor.
 cat >under.toml <<'TOML'

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `hgrid picture`: a shaded view of particles, coloured by what one asks for.
 #include "particles/error.hpp"
+#include "particles/files/walls_vtp.hpp"
 #include "particles/text/formatted.hpp"
 #include "particles/text/output.hpp"
 #include "programs/draw/povray_scene.hpp"
@@ -29,7 +30,7 @@ struct PictureOptions {
   std::string color = "size";
   double stiffness = 1;
   int width = 480;
-  bool cut = false;
+  bool cut = false, no_walls = false;
 };
 
 using particles::ParticleSet;
@@ -87,10 +88,19 @@ ParticleSet load(PictureOptions &options) {
   return load_particles(options.particles);
 }
 
+// Those that a run has written beside a state, under the same step.
+particles::WallShapes walls_of(const PictureOptions &options) {
+  const std::filesystem::path state = options.particles.file;
+  const std::string stem = state.stem().string(), start = "state-";
+  if (options.no_walls || stem.compare(0, start.size(), start) != 0) return {};
+  const std::filesystem::path walls = state.parent_path() / ("walls-" + stem.substr(start.size()) + ".vtp");
+  return std::filesystem::exists(walls) ? particles::read_walls(walls.string()) : particles::WallShapes{};
+}
+
 void run_picture(PictureOptions options) {
   const ParticleSet set = load(options);
   const draw::Shading shading = shading_of(options, set);
-  const draw::RenderedScene scene = draw::povray_scene(set, shading, options.cut);
+  const draw::RenderedScene scene = draw::povray_scene(set, shading, options.cut, walls_of(options));
   const bool only_scene = std::filesystem::path(options.output).extension() == ".pov" || options.output == "-";
   const std::string file = only_scene ? options.output : options.output + ".pov";
   particles::Output out(file);
@@ -127,7 +137,8 @@ void add_picture(CLI::App &parent) {
   command->add_option("--width", options->width, "Of the picture, in pixels")
       ->check(CLI::Range(16, 16384))
       ->capture_default_str();
-  command->add_flag("--cut", options->cut, "Leave out the eighth of the box towards the viewer");
+  command->add_flag("--cut", options->cut, "Leave out the eighth of the view towards the viewer");
+  command->add_flag("--no-walls", options->no_walls, "Leave out the walls, which a run writes beside its states");
   command->callback([options] { run_picture(*options); });
 }
 
