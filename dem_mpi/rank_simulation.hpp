@@ -64,7 +64,7 @@ class RankSimulation final : public RankEngine {
   void tell_faults();
 
   double lag() const { return steps_ > 0 ? setup_.scheme.shared_kick * setup_.time_step : 0; }
-  std::vector<ContactLoad<D>> loads_of(const Snapshot &lagging) const;
+  void visit_loads_of(const Snapshot &lagging, const LoadVisit<D> &visit) const;
   std::vector<double> packed_centers() const;
   std::vector<double> radii() const;
   template <class Rows>

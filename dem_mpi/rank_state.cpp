@@ -62,7 +62,7 @@ class ExactMeasurement {
 }  // namespace
 
 template <int D>
-std::vector<ContactLoad<D>> RankSimulation<D>::loads_of(const Snapshot &lagging) const {
+void RankSimulation<D>::visit_loads_of(const Snapshot &lagging, const LoadVisit<D> &visit) const {
   ContactState<D> of_pairs = pairs_in<D>(setup_, boundary_, lagging, pairs_.rows());
   ContactState<D> of_walls = walls_in<D>(setup_, boundary_, lagging, {walls_.data(), walls_.size()});
   std::vector<hg_pair> names;
@@ -72,7 +72,7 @@ std::vector<ContactLoad<D>> RankSimulation<D>::loads_of(const Snapshot &lagging)
   names.clear();
   for (const hg_pair &wall : of_walls.list) names.push_back({name(wall.a), wall.b});
   add_history(wall_history_, wall_names(), names, of_walls);
-  return contact_loads<D>(setup_, boundary_, lagging, of_pairs, of_walls);
+  visit_loads<D>(setup_, boundary_, lagging, of_pairs, of_walls, {}, visit);
 }
 
 template <int D>
@@ -91,11 +91,11 @@ Measurement RankSimulation<D>::measure() {
       particle.add(state, i, one);
       sums.add(one);
     }
-    for (const ContactLoad<D> &load : loads_of(lagging)) {
+    visit_loads_of(lagging, [&](const ContactLoad<D> &load) {
       Measurement one;
       add_contact(load, one);
       sums.add(one);
-    }
+    });
   });
   Measurement result = sums.total(ranks_);
   result.time = time();

@@ -49,10 +49,15 @@ void add_history(const ContactHistory<D, Real> &history, PairView list, const st
   for (const EffectRow &row : kEffects) {
     if (row.history == nullptr || !history.remembers(row.effect)) continue;
     const auto &rows = known.rows[history_of(row.effect)];
+    size_t next = 0;  // mostly they follow one another in both
     for (const hg_pair &pair : names) {
-      const size_t place = known.find(pair);
+      const bool here = next < known.pairs.size() && known.pairs[next].a == pair.a && known.pairs[next].b == pair.b;
+      const size_t place = here ? next : known.find(pair);
       Vec<D, double> stretch = Vec<D, double>::Zero();
-      if (place < rows.size()) stretch = rows[place].template cast<double>();
+      if (place < rows.size()) {
+        stretch = rows[place].template cast<double>();
+        next = place + 1;
+      }
       contacts.history[history_of(row.effect)].push_back(stretch);
     }
   }

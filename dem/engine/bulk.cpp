@@ -8,9 +8,6 @@
 namespace dem {
 namespace {
 
-template <int D>
-using Tensor = Eigen::Matrix<double, D, D>;
-
 double volume_of(const Setup &setup) {
   double volume = 1;
   for (int axis = 0; axis < setup.dimension; axis++) {
@@ -21,8 +18,8 @@ double volume_of(const Setup &setup) {
 }
 
 // The symmetric part, as xx, yy, zz, xy, xz, yz.
-template <int D>
-void store(const Tensor<D> &tensor, double (&components)[6]) {
+template <int D, class Tensor>
+void store(const Tensor &tensor, double (&components)[6]) {
   constexpr int kAxes[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
   for (int k = 0; k < 6; k++) {
     const auto [i, j] = kAxes[k];
@@ -60,23 +57,19 @@ class Flow {
   Vec<D, double> mean_ = Vec<D, double>::Zero();
 };
 
-// Contacts of each particle that can move.
-template <int D>
-std::vector<int> contact_counts(const Snapshot &state, const std::vector<ContactLoad<D>> &loads,
-                                const std::vector<bool> &left_out) {
-  std::vector<int> counts(state.count(), 0);
-  for (const ContactLoad<D> &load : loads) {
-    const bool wall = load.b == ContactLoad<D>::kWall;
-    if (!(load.overlap > 0) || left_out[load.a] || (!wall && left_out[load.b])) continue;
-    counts[load.a]++;
-    if (!wall) counts[load.b]++;
+// Of each particle among those that are not left out.
+std::vector<int> contact_counts(const std::vector<TouchingPair> &touching, const std::vector<bool> &left_out) {
+  std::vector<int> counts(left_out.size(), 0);
+  for (const TouchingPair &pair : touching) {
+    const bool wall = pair.b == TouchingPair::kWall;
+    if (left_out[pair.a] || (!wall && left_out[pair.b])) continue;
+    counts[pair.a]++;
+    if (!wall) counts[pair.b]++;
   }
   return counts;
 }
 
-template <int D>
-void count_contacts(const Setup &setup, const Snapshot &state, const std::vector<ContactLoad<D>> &loads, Bulk &bulk) {
-  const int fewest = has(setup.effects, kFriction) ? D : D + 1;
+void count_contacts(int fewest, const Snapshot &state, const std::vector<TouchingPair> &touching, Bulk &bulk) {
   std::vector<bool> left_out(state.count(), false);
   size_t movable = 0;
   for (const double mass : state.masses) movable += std::isfinite(mass) ? 1 : 0;
@@ -85,7 +78,7 @@ void count_contacts(const Setup &setup, const Snapshot &state, const std::vector
     for (size_t i = 0; i < counts.size(); i++) sum += std::isfinite(state.masses[i]) ? counts[i] : 0;
     return of > 0 ? sum / static_cast<double>(of) : 0;
   };
-  std::vector<int> counts = contact_counts(state, loads, left_out);
+  std::vector<int> counts = contact_counts(touching, left_out);
   bulk.coordination = mean(counts, movable);
   for (bool again = true; again;) {
     again = false;
@@ -94,7 +87,7 @@ void count_contacts(const Setup &setup, const Snapshot &state, const std::vector
       left_out[i] = again = true;
       bulk.rattlers++;
     }
-    if (again) counts = contact_counts(state, loads, left_out);
+    if (again) counts = contact_counts(touching, left_out);
   }
   bulk.backbone = mean(counts, movable - bulk.rattlers);
 }
@@ -102,16 +95,21 @@ void count_contacts(const Setup &setup, const Snapshot &state, const std::vector
 }  // namespace
 
 template <int D>
-Bulk measure_bulk(const Setup &setup, const Snapshot &state, const std::vector<ContactLoad<D>> &loads) {
+void BulkMeasure<D>::add(const ContactLoad<D> &load) {
+  const bool wall = load.b == ContactLoad<D>::kWall;
+  stress_ -= load.force() * ((load.arm_a + load.arm_b) * load.normal).transpose();
+  if (!(load.overlap > 0)) return;
+  touching_.push_back({static_cast<uint32_t>(load.a), wall ? TouchingPair::kWall : static_cast<uint32_t>(load.b)});
+  if (wall) return;
+  fabric_ += load.normal * load.normal.transpose();
+  pairs_++;
+}
+
+template <int D>
+Bulk BulkMeasure<D>::of(const Setup &setup, const Snapshot &state) const {
   Bulk bulk;
-  Tensor<D> stress = Tensor<D>::Zero(), kinetic = Tensor<D>::Zero(), fabric = Tensor<D>::Zero();
-  double pairs = 0, mass = 0;
-  for (const ContactLoad<D> &load : loads) {
-    stress -= load.force() * ((load.arm_a + load.arm_b) * load.normal).transpose();
-    if (load.b == ContactLoad<D>::kWall || !(load.overlap > 0)) continue;
-    fabric += load.normal * load.normal.transpose();
-    pairs++;
-  }
+  Tensor kinetic = Tensor::Zero();
+  double mass = 0;
   const Flow<D> flow(setup, state);
   for (size_t i = 0; i < state.count(); i++) {
     if (!std::isfinite(state.masses[i])) continue;
@@ -121,15 +119,15 @@ Bulk measure_bulk(const Setup &setup, const Snapshot &state, const std::vector<C
   }
   const double volume = volume_of(setup);
   if (mass > 0) bulk.temperature = kinetic.trace() / (D * mass);
-  if (pairs > 0) store<D>(fabric / pairs, bulk.fabric);
-  store<D>(kinetic / volume, bulk.kinetic_stress);
-  store<D>((stress + kinetic) / volume, bulk.stress);
-  bulk.pressure = (stress + kinetic).trace() / (D * volume);
-  count_contacts<D>(setup, state, loads, bulk);
+  if (pairs_ > 0) store<D>(Tensor(fabric_ / pairs_), bulk.fabric);
+  store<D>(Tensor(kinetic / volume), bulk.kinetic_stress);
+  store<D>(Tensor((stress_ + kinetic) / volume), bulk.stress);
+  bulk.pressure = (stress_ + kinetic).trace() / (D * volume);
+  count_contacts(has(setup.effects, kFriction) ? D : D + 1, state, touching_, bulk);
   return bulk;
 }
 
-template Bulk measure_bulk(const Setup &, const Snapshot &, const std::vector<ContactLoad<2>> &);
-template Bulk measure_bulk(const Setup &, const Snapshot &, const std::vector<ContactLoad<3>> &);
+template class BulkMeasure<2>;
+template class BulkMeasure<3>;
 
 }  // namespace dem

@@ -10,12 +10,33 @@
 
 #include "dem/engine/contact_loads.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace dem {
 
-// Without a box on all axes there is no volume: the stress is then multiplied by it.
+// Two particles that overlap, or a particle and a wall.
+struct TouchingPair {
+  static constexpr uint32_t kWall = static_cast<uint32_t>(-1);
+
+  uint32_t a, b;
+};
+
 template <int D>
-Bulk measure_bulk(const Setup &setup, const Snapshot &state, const std::vector<ContactLoad<D>> &loads);
+class BulkMeasure {
+ public:
+  void add(const ContactLoad<D> &load);
+
+  // Of those contacts and the particles of a state. Without a box on all axes there is no volume: the stress is then
+  // multiplied by it.
+  Bulk of(const Setup &setup, const Snapshot &state) const;
+
+ private:
+  using Tensor = Eigen::Matrix<double, D, D, Eigen::DontAlign>;
+
+  Tensor stress_ = Tensor::Zero(), fabric_ = Tensor::Zero();
+  double pairs_ = 0;
+  std::vector<TouchingPair> touching_;
+};
 
 }  // namespace dem

@@ -90,8 +90,8 @@ class Forces {
 };
 
 template <int D>
-void add_pairs(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
-               const ContactState<D> &contacts, std::vector<ContactLoad<D>> &loads) {
+void visit_pairs(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
+                 const ContactState<D> &contacts, const LoadVisit<D> &visit) {
   const LawTable<double> laws(setup, Partner::kParticle);
   const Forces<D> forces(setup);
   const auto nearest = choose<kImageEffects, double>(
@@ -115,13 +115,13 @@ void add_pairs(const Setup &setup, const Boundary<D, double> &boundary, const Sn
                                         1 / radius + 1 / other, law.share[0] / radius + law.share[1] / other};
     load.reduced_radius = 1 / contact.inverse_radius;
     forces.set(law, contact, state, contacts, p, load);
-    loads.push_back(load);
+    visit(load);
   }
 }
 
 template <int D>
-void add_walls(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
-               const ContactState<D> &contacts, std::vector<ContactLoad<D>> &loads) {
+void visit_walls(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
+                 const ContactState<D> &contacts, const LoadVisit<D> &visit) {
   const LawTable<double> laws(setup, Partner::kWall);
   const Forces<D> forces(setup);
   for (size_t p = 0; p < contacts.list.size(); p++) {
@@ -138,13 +138,13 @@ void add_walls(const Setup &setup, const Boundary<D, double> &boundary, const Sn
     load.reduced_radius = load.smaller_radius = radius;
     const NormalContact<double> contact{load.overlap, 0, 1 / state.masses[i], 1 / radius, 1 / radius};
     forces.set(laws.at(material_of(state, i), boundary.materials[wall]), contact, state, contacts, p, load);
-    loads.push_back(load);
+    visit(load);
   }
 }
 
 template <int D>
-void add_surfaces(const Setup &setup, const Snapshot &state, const SurfaceState<D> &contacts,
-                  std::vector<ContactLoad<D>> &loads) {
+void visit_surfaces(const Setup &setup, const Snapshot &state, const SurfaceState<D> &contacts,
+                    const LoadVisit<D> &visit) {
   const LawTable<double> laws(setup, Partner::kWall);
   const Forces<D> forces(setup);
   for (size_t p = 0; p < contacts.list.size(); p++) {
@@ -164,7 +164,7 @@ void add_surfaces(const Setup &setup, const Snapshot &state, const SurfaceState<
     load.wall_spin = contacts.spins[p];
     const NormalContact<double> contact{load.overlap, 0, 1 / state.masses[i], 1 / radius, 1 / radius};
     forces.set(laws.at(material_of(state, i), contacts.materials[p]), contact, state, contacts, p, load);
-    loads.push_back(load);
+    visit(load);
   }
 }
 
@@ -186,23 +186,20 @@ SurfaceMotion<D> surface_motion(const Snapshot &state, const ContactLoad<D> &loa
 }
 
 template <int D>
-std::vector<ContactLoad<D>> contact_loads(const Setup &setup, const Boundary<D, double> &boundary,
-                                          const Snapshot &state, const ContactState<D> &pairs,
-                                          const ContactState<D> &walls, const SurfaceState<D> &surfaces) {
-  std::vector<ContactLoad<D>> loads;
-  add_pairs(setup, boundary, state, pairs, loads);
-  add_walls(setup, boundary, state, walls, loads);
-  if (!surfaces.list.empty()) add_surfaces(setup, state, surfaces, loads);
-  return loads;
+void visit_loads(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
+                 const ContactState<D> &pairs, const ContactState<D> &walls, const SurfaceState<D> &surfaces,
+                 const LoadVisit<D> &visit) {
+  visit_pairs(setup, boundary, state, pairs, visit);
+  visit_walls(setup, boundary, state, walls, visit);
+  if (!surfaces.list.empty()) visit_surfaces(setup, state, surfaces, visit);
 }
 
-template SurfaceMotion<2> surface_motion(const Snapshot &, const ContactLoad<2> &);
-template std::vector<ContactLoad<2>> contact_loads(const Setup &, const Boundary<2, double> &, const Snapshot &,
-                                                   const ContactState<2> &, const ContactState<2> &,
-                                                   const SurfaceState<2> &);
-template SurfaceMotion<3> surface_motion(const Snapshot &, const ContactLoad<3> &);
-template std::vector<ContactLoad<3>> contact_loads(const Setup &, const Boundary<3, double> &, const Snapshot &,
-                                                   const ContactState<3> &, const ContactState<3> &,
-                                                   const SurfaceState<3> &);
+#define DEM_INSTANTIATE(D)                                                                                         \
+  template SurfaceMotion<D> surface_motion(const Snapshot &, const ContactLoad<D> &);                              \
+  template void visit_loads(const Setup &, const Boundary<D, double> &, const Snapshot &, const ContactState<D> &, \
+                            const ContactState<D> &, const SurfaceState<D> &, const LoadVisit<D> &);
+
+DEM_INSTANTIATE(2)
+DEM_INSTANTIATE(3)
 
 }  // namespace dem

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// All contacts of a state with their forces: what is measured of contacts is read off this list.
+// All contacts of a state with their forces: what is measured of contacts is read off one after the other.
 //
-// Looking is rare, so one function serves all effects and picks each law as it goes.
+// Looking is rare, so one function serves all effects and picks each law as it goes; and a list of all that is known of
+// each contact would be larger than the state.
 #pragma once
 
 #include "dem/effects/contact_force.hpp"
@@ -13,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace dem {
@@ -62,12 +64,15 @@ struct ContactLoad {
   Vec<D, double> force() const { return tangential - (spring + dashpot) * normal; }
 };
 
-// `state` has the velocities that the forces of the engine saw; with them they are its forces of that moment.
-// Neighbours that are both fixed are no contacts.
 template <int D>
-std::vector<ContactLoad<D>> contact_loads(const Setup &setup, const Boundary<D, double> &boundary,
-                                          const Snapshot &state, const ContactState<D> &pairs,
-                                          const ContactState<D> &walls, const SurfaceState<D> &surfaces = {});
+using LoadVisit = std::function<void(const ContactLoad<D> &)>;
+
+// `state` has the velocities that the forces of the engine saw; with them they are its forces of that moment. Pairs
+// come first, then walls, each in the order of its list. Neighbours that are both fixed are no contacts.
+template <int D>
+void visit_loads(const Setup &setup, const Boundary<D, double> &boundary, const Snapshot &state,
+                 const ContactState<D> &pairs, const ContactState<D> &walls, const SurfaceState<D> &surfaces,
+                 const LoadVisit<D> &visit);
 
 // The motion of the surfaces of a contact against each other.
 template <int D>

@@ -4,8 +4,6 @@
 #include "dem/engine/measure.hpp"
 
 #include "dem/effects/choice.hpp"
-#include "dem/engine/bulk.hpp"
-#include "dem/engine/step_load.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,24 +13,6 @@ namespace {
 
 template <int D>
 using Vector = Vec<D, double>;
-
-// A plane moves with v = V (1 - f / F), where springs K and dashpots C answer with f = K x + C v a step later. With
-// a = V K dt / F and c = V C / F a miss of v goes as powers of the roots of s^2 - (1 - a - c) s - c: they fade if
-// a / 2 + c < 1.
-template <int D>
-double press_load(const Setup &setup, const std::vector<ContactLoad<D>> &loads) {
-  std::vector<double> answer(setup.walls.size(), 0.0);
-  for (const ContactLoad<D> &load : loads) {
-    if (load.wall < 0 || !(load.overlap > 0)) continue;
-    answer[static_cast<size_t>(load.wall)] += load.stiffness * setup.time_step / 2 + load.damping;
-  }
-  double largest = 0;
-  for (size_t k = 0; k < setup.walls.size(); k++) {
-    const WallBody &wall = setup.walls[k];
-    if (wall.presses()) largest = std::max(largest, wall.fastest * answer[k] / wall.force);
-  }
-  return largest;
-}
 
 }  // namespace
 
@@ -70,23 +50,49 @@ void add_contact(const ContactLoad<D> &load, Measurement &sum) {
 }
 
 template <int D>
-Measurement measure_state(const Setup &setup, const Snapshot &state, const std::vector<ContactLoad<D>> &loads) {
-  Measurement result;
-  result.time = state.time;
-  const ParticleMeasure<D> particles(setup);
-  for (size_t i = 0; i < state.count(); i++) particles.add(state, i, result);
-  for (const ContactLoad<D> &load : loads) add_contact(load, result);
-  result.bulk = measure_bulk<D>(setup, state, loads);
-  result.step_load = step_load<D>(setup, state, loads);
-  result.press_load = press_load<D>(setup, loads);
+StateMeasure<D>::StateMeasure(const Setup &setup, const Snapshot &state)
+    : setup_(setup), state_(state), step_load_(make_step_load<D>(setup, state)), answers_(setup.walls.size(), 0.0) {}
+
+template <int D>
+void StateMeasure<D>::add(const ContactLoad<D> &load) {
+  add_contact(load, contacts_);
+  bulk_.add(load);
+  step_load_->add(load);
+  if (load.wall < 0 || !(load.overlap > 0)) return;
+  answers_[static_cast<size_t>(load.wall)] += load.stiffness * setup_.time_step / 2 + load.damping;
+}
+
+template <int D>
+Measurement StateMeasure<D>::result() const {
+  Measurement result = contacts_;
+  result.time = state_.time;
+  const ParticleMeasure<D> particles(setup_);
+  for (size_t i = 0; i < state_.count(); i++) particles.add(state_, i, result);
+  result.bulk = bulk_.of(setup_, state_);
+  result.step_load = step_load_->largest();
+  result.press_load = press_load();
   return result;
 }
 
-template class ParticleMeasure<2>;
-template void add_contact(const ContactLoad<2> &, Measurement &);
-template Measurement measure_state(const Setup &, const Snapshot &, const std::vector<ContactLoad<2>> &);
-template class ParticleMeasure<3>;
-template void add_contact(const ContactLoad<3> &, Measurement &);
-template Measurement measure_state(const Setup &, const Snapshot &, const std::vector<ContactLoad<3>> &);
+// A plane moves with v = V (1 - f / F), where springs K and dashpots C answer with f = K x + C v a step later. With
+// a = V K dt / F and c = V C / F a miss of v goes as powers of the roots of s^2 - (1 - a - c) s - c: they fade if
+// a / 2 + c < 1.
+template <int D>
+double StateMeasure<D>::press_load() const {
+  double largest = 0;
+  for (size_t k = 0; k < setup_.walls.size(); k++) {
+    const WallBody &wall = setup_.walls[k];
+    if (wall.presses()) largest = std::max(largest, wall.fastest * answers_[k] / wall.force);
+  }
+  return largest;
+}
+
+#define DEM_INSTANTIATE(D)           \
+  template class ParticleMeasure<D>; \
+  template class StateMeasure<D>;    \
+  template void add_contact(const ContactLoad<D> &, Measurement &);
+
+DEM_INSTANTIATE(2)
+DEM_INSTANTIATE(3)
 
 }  // namespace dem

@@ -4,9 +4,12 @@
 #pragma once
 
 #include "dem/effects/body_force.hpp"
+#include "dem/engine/bulk.hpp"
 #include "dem/engine/contact_loads.hpp"
 #include "dem/engine/engine.hpp"
+#include "dem/engine/step_load.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace dem {
@@ -28,7 +31,23 @@ class ParticleMeasure {
 template <int D>
 void add_contact(const ContactLoad<D> &load, Measurement &sum);
 
+// All of a state, which it refers to: its contacts are added, and the particles come at the end.
 template <int D>
-Measurement measure_state(const Setup &setup, const Snapshot &state, const std::vector<ContactLoad<D>> &loads);
+class StateMeasure {
+ public:
+  StateMeasure(const Setup &setup, const Snapshot &state);
+  void add(const ContactLoad<D> &load);
+  Measurement result() const;
+
+ private:
+  double press_load() const;
+
+  const Setup &setup_;
+  const Snapshot &state_;
+  Measurement contacts_;
+  BulkMeasure<D> bulk_;
+  std::unique_ptr<StepLoad<D>> step_load_;
+  std::vector<double> answers_;  // of walls that press
+};
 
 }  // namespace dem

@@ -73,7 +73,7 @@ class Simulation final : public Engine {
   // The same with velocities advanced by `kick`: those that the forces see by 0.
   Snapshot state_after(double kick) const;
   double lag() const;  // of velocities behind positions
-  std::vector<ContactLoad<D>> loads_of(const Snapshot &lagging);
+  void visit_loads_of(const Snapshot &lagging, const LoadVisit<D> &visit);
   void tally(double kick);
 
   uint64_t steps_since_beginning() const { return steps_ - setup_.beginning.step; }

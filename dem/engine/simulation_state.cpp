@@ -99,7 +99,7 @@ std::vector<WallReport> Simulation<D, Real>::walls_now() {
 }
 
 template <int D, class Real>
-std::vector<ContactLoad<D>> Simulation<D, Real>::loads_of(const Snapshot &lagging) {
+void Simulation<D, Real>::visit_loads_of(const Snapshot &lagging, const LoadVisit<D> &visit) {
   Boundary<D, double> boundary = make_boundary<D, double>(setup_);
   boundary.offset = image_offset();
   if (setup_.scheme.shared_drift == 0) {
@@ -110,7 +110,7 @@ std::vector<ContactLoad<D>> Simulation<D, Real>::loads_of(const Snapshot &laggin
     add_history(wall_history_, walls(), of_walls.list, of_walls);
     SurfaceState<D> of_surfaces = surfaces_in<D>(setup_, surfaces_, lagging);
     add_history(surface_history_, surfaces_.pairs(), of_surfaces.list, of_surfaces);
-    return contact_loads<D>(setup_, boundary, lagging, of_pairs, of_walls, of_surfaces);
+    return visit_loads<D>(setup_, boundary, lagging, of_pairs, of_walls, of_surfaces, visit);
   }
   // Positions are ahead of the step: its contacts are others than those of the forces, and remember nothing.
   room_.forget();
@@ -125,20 +125,25 @@ std::vector<ContactLoad<D>> Simulation<D, Real>::loads_of(const Snapshot &laggin
   for (size_t i = 0; i < lagging.radii.size(); i++) {
     reach.list(vector_at<Vec<D, double>>(lagging.centers, i), lagging.radii[i], i, listed);
   }
-  return contact_loads<D>(setup_, boundary, lagging, pairs_in<D>(setup_, boundary, lagging, pairs_),
-                          walls_in<D>(setup_, boundary, lagging, {listed.data(), listed.size()}));
+  visit_loads<D>(setup_, boundary, lagging, pairs_in<D>(setup_, boundary, lagging, pairs_),
+                 walls_in<D>(setup_, boundary, lagging, {listed.data(), listed.size()}), {}, visit);
 }
 
 template <int D, class Real>
 Measurement Simulation<D, Real>::measure() {
   const Snapshot state = state_now(), lagging = state_after(0);
-  const std::vector<ContactLoad<D>> loads = loads_of(lagging);
-  Measurement result = measure_state<D>(setup_, state, loads);
+  StateMeasure<D> measured(setup_, state);
+  PowerMeasure<D> power(setup_, lagging, state);
+  visit_loads_of(lagging, [&](const ContactLoad<D> &load) {
+    measured.add(load);
+    if (counts_work_) power.add(load);
+  });
+  Measurement result = measured.result();
   result.wall_work = surfaces_.work();
   if (!counts_work_) return result;
   result.work = work_;
-  add(result.work, power_of<D>(setup_, lagging, state, loads), lag());
-  result.work = without_springs<D>(result.work, loads);
+  add(result.work, power.power(), lag());
+  add(result.work, power.held(), -1);
   return result;
 }
 
@@ -150,26 +155,32 @@ void Simulation<D, Real>::count_work() {
   if (!exchange_.empty()) throw Error("work is not counted with [[inflow]] and [[removal]]: who goes takes some along");
   counts_work_ = true;
   // What springs along the surfaces hold by now is not dissipated yet, and is found when it is.
-  if (steps_ > 0) add(work_, without_springs<D>({}, loads_of(state_after(0))), -1);
+  if (steps_ == 0) return;
+  const Snapshot state = state_after(0);
+  PowerMeasure<D> power(setup_, state, state);
+  visit_loads_of(state, [&](const ContactLoad<D> &load) { power.add(load); });
+  add(work_, power.held(), 1);
 }
 
 // What the forces of this step do while velocities advance by `kick`.
 template <int D, class Real>
 void Simulation<D, Real>::tally(double kick) {
   const Snapshot state = state_now(), lagging = state_after(0);
-  add(work_, power_of<D>(setup_, lagging, state, loads_of(lagging)), kick);
+  PowerMeasure<D> power(setup_, lagging, state);
+  visit_loads_of(lagging, [&](const ContactLoad<D> &load) { power.add(load); });
+  add(work_, power.power(), kick);
 }
 
 template <int D, class Real>
 std::vector<ContactLine> Simulation<D, Real>::contacts() {
   state_now();  // the forces of the positions
-  Snapshot state = state_after(0);
-  const std::vector<ContactLoad<D>> loads = loads_of(state);
-  bring_into_box(setup_, state);
+  const Snapshot state = state_after(0);
+  Snapshot shown = state;
+  bring_into_box(setup_, shown);
   const std::vector<uint32_t> given = inverse(places_);
   std::vector<ContactLine> lines;
-  for (const ContactLoad<D> &load : loads) {
-    if (!(load.overlap > 0)) continue;
+  visit_loads_of(state, [&](const ContactLoad<D> &load) {
+    if (!(load.overlap > 0)) return;
     const bool wall = load.b == ContactLoad<D>::kWall, turned = !wall && given[load.a] > given[load.b];
     const size_t first = turned ? load.b : load.a, second = turned ? load.a : load.b;
     ContactLine line;
@@ -177,14 +188,14 @@ std::vector<ContactLine> Simulation<D, Real>::contacts() {
     line.b = wall ? -1 : static_cast<int64_t>(given[second]);
     for (size_t k = 0; k < D; k++) {
       const double way = (load.arm_a + load.arm_b) * load.normal[static_cast<Eigen::Index>(k)];
-      line.from[k] = state.centers[first * D + k];
+      line.from[k] = shown.centers[first * D + k];
       line.to[k] = line.from[k] + (turned ? -way : way);
     }
     line.overlap = load.overlap;
     line.normal = load.spring + load.dashpot;
     line.tangential = load.tangential.norm();
     lines.push_back(line);
-  }
+  });
   std::sort(lines.begin(), lines.end(),
             [](const ContactLine &x, const ContactLine &y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
   return lines;

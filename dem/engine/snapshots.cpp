@@ -3,6 +3,7 @@
 // Bodies from arrays in double, and back.
 #include "dem/engine/snapshots.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dem {
@@ -10,19 +11,25 @@ namespace dem {
 template <int D, class Real>
 Snapshot snapshot_of(const Bodies<D, Real> &bodies, size_t count, EffectSet effects,
                      const BodyForce<D, Real> &body_force, Real kick, Real lead) {
+  constexpr size_t kSpin = Spin<D, Real>::RowsAtCompileTime;
   Snapshot state;
   state.dimension = D;
   const AccelerationKernel<D, Real> acceleration = find_acceleration<D, Real>(effects);
+  state.centers.resize(D * count);
+  state.velocities.resize(D * count);
+  state.radii.resize(count);
+  state.masses.resize(count);
+  if (bodies.rotating()) state.spins.resize(kSpin * count);
   for (size_t i = 0; i < count; i++) {
     const Vec<D, Real> v = bodies.velocity(i) + kick * acceleration(bodies, body_force, i);
     const Vec<D, Real> x = bodies.position(i) - lead * v;
-    state.centers.insert(state.centers.end(), x.data(), x.data() + D);
-    state.velocities.insert(state.velocities.end(), v.data(), v.data() + D);
-    state.radii.push_back(bodies.radius(i));
-    state.masses.push_back(bodies.inverse_mass(i) > 0 ? 1.0 / static_cast<double>(bodies.inverse_mass(i)) : kImmovable);
+    std::copy_n(x.data(), D, &state.centers[D * i]);
+    std::copy_n(v.data(), D, &state.velocities[D * i]);
+    state.radii[i] = bodies.radius(i);
+    state.masses[i] = bodies.inverse_mass(i) > 0 ? 1.0 / static_cast<double>(bodies.inverse_mass(i)) : kImmovable;
     if (!bodies.rotating()) continue;
     const Spin<D, Real> spin = bodies.spin(i) + (kick * bodies.inverse_inertia(i)) * bodies.torque(i);
-    state.spins.insert(state.spins.end(), spin.data(), spin.data() + spin.size());
+    std::copy_n(spin.data(), kSpin, &state.spins[kSpin * i]);
   }
   return state;
 }

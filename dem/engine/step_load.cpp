@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace dem {
 namespace {
@@ -20,17 +21,37 @@ namespace {
 using AnyBlock = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
 
 template <int D, bool turns>
-class Network {
+class Network final : public StepLoad<D> {
  public:
   Network(const Setup &setup, const Snapshot &state)
       : setup_(&setup), state_(&state), blocks_(state.count(), Block::Zero()) {}
 
-  // The end of a contact at `body`, `out` of which the normal points; mass_ratio is its mass over its partner's.
-  void add(const ContactLoad<D> &contact, size_t body, double mass_ratio, const Vec<D, double> &out) {
+  void add(const ContactLoad<D> &contact) override {
+    const bool wall = contact.b == ContactLoad<D>::kWall;
+    const double sizes = wall ? 0 : std::cbrt(state_->masses[contact.a] / state_->masses[contact.b]);
+    add_end(contact, contact.a, sizes, contact.normal);
+    if (!wall) add_end(contact, contact.b, 1 / sizes, -contact.normal);
+  }
+
+  double largest() const override {
+    double largest = 0;
+    for (const Block &block : blocks_) {
+      if (!(block.norm() > largest)) continue;  // no eigenvalue is above that
+      largest = std::max(largest, AnyBlock(block).selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
+    }
+    return largest / setup_->scheme.stability;
+  }
+
+ private:
+  static constexpr int kSpin = turns ? Spin<D, double>::RowsAtCompileTime : 0;
+  using Matrix = Eigen::Matrix<double, D, D>;
+  using Block = Eigen::Matrix<double, D + kSpin, D + kSpin, Eigen::DontAlign>;
+
+  // The end of a contact at `body`, `out` of which the normal points; `sizes`: that of the body over its partner's.
+  void add_end(const ContactLoad<D> &contact, size_t body, double sizes, const Vec<D, double> &out) {
     const double mass = state_->masses[body], step = setup_->time_step;
     if (!std::isfinite(mass)) return;
-    const double strength =
-        (step * step * contact.stiffness + 2 * step * contact.damping) * (1 + std::cbrt(mass_ratio)) / mass;
+    const double strength = (step * step * contact.stiffness + 2 * step * contact.damping) * (1 + sizes) / mass;
     const Matrix along = Matrix::Identity() - out * out.transpose();
     Block &block = blocks_[body];
     block.template topLeftCorner<D, D>() += strength * out * out.transpose();
@@ -50,46 +71,20 @@ class Network {
     }
   }
 
-  double largest_eigenvalue() const {
-    double largest = 0;
-    for (const Block &block : blocks_) {
-      if (!(block.norm() > largest)) continue;  // no eigenvalue is above that
-      largest = std::max(largest, AnyBlock(block).selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
-    }
-    return largest;
-  }
-
- private:
-  static constexpr int kSpin = turns ? Spin<D, double>::RowsAtCompileTime : 0;
-  using Matrix = Eigen::Matrix<double, D, D>;
-  using Block = Eigen::Matrix<double, D + kSpin, D + kSpin, Eigen::DontAlign>;
-
   const Setup *setup_;
   const Snapshot *state_;
   std::vector<Block> blocks_;
 };
 
-template <int D, bool turns>
-double load_of(const Setup &setup, const Snapshot &state, const std::vector<ContactLoad<D>> &contacts) {
-  Network<D, turns> network(setup, state);
-  for (const ContactLoad<D> &contact : contacts) {
-    const bool wall = contact.b == ContactLoad<D>::kWall;
-    const double ratio = wall ? 0 : state.masses[contact.a] / state.masses[contact.b];
-    network.add(contact, contact.a, ratio, contact.normal);
-    if (!wall) network.add(contact, contact.b, 1 / ratio, -contact.normal);
-  }
-  return network.largest_eigenvalue() / setup.scheme.stability;
-}
-
 }  // namespace
 
 template <int D>
-double step_load(const Setup &setup, const Snapshot &state, const std::vector<ContactLoad<D>> &contacts) {
-  return has(setup.effects, kFriction) ? load_of<D, true>(setup, state, contacts)
-                                       : load_of<D, false>(setup, state, contacts);
+std::unique_ptr<StepLoad<D>> make_step_load(const Setup &setup, const Snapshot &state) {
+  if (has(setup.effects, kFriction)) return std::make_unique<Network<D, true>>(setup, state);
+  return std::make_unique<Network<D, false>>(setup, state);
 }
 
-template double step_load(const Setup &, const Snapshot &, const std::vector<ContactLoad<2>> &);
-template double step_load(const Setup &, const Snapshot &, const std::vector<ContactLoad<3>> &);
+template std::unique_ptr<StepLoad<2>> make_step_load(const Setup &, const Snapshot &);
+template std::unique_ptr<StepLoad<3>> make_step_load(const Setup &, const Snapshot &);
 
 }  // namespace dem

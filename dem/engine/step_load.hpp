@@ -5,7 +5,7 @@
 
 #include "dem/engine/contact_loads.hpp"
 
-#include <vector>
+#include <memory>
 
 namespace dem {
 
@@ -13,6 +13,15 @@ namespace dem {
 // schemes: as much as they bear). A bound that is exact for pairs of equal particles and close packings of them, and
 // above the truth for others.
 template <int D>
-double step_load(const Setup &setup, const Snapshot &state, const std::vector<ContactLoad<D>> &contacts);
+class StepLoad {
+ public:
+  virtual ~StepLoad() = default;
+  virtual void add(const ContactLoad<D> &contact) = 0;
+  virtual double largest() const = 0;  // of the contacts so far
+};
+
+// For contacts of a state, which it refers to.
+template <int D>
+std::unique_ptr<StepLoad<D>> make_step_load(const Setup &setup, const Snapshot &state);
 
 }  // namespace dem

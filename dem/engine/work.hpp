@@ -10,19 +10,29 @@
 
 #include "dem/engine/contact_loads.hpp"
 
-#include <vector>
-
 namespace dem {
 
-// Per time; of friction and rolling what leaves the motion, the energy of their springs included. `lagging` has the
-// velocities that the forces saw, `state` those at the time of the step.
+// Of contacts that are added and of particles. `lagging` has the velocities that the forces saw, `state` those at the
+// time of the step; it refers to both.
 template <int D>
-Work power_of(const Setup &setup, const Snapshot &lagging, const Snapshot &state,
-              const std::vector<ContactLoad<D>> &loads);
+class PowerMeasure {
+ public:
+  PowerMeasure(const Setup &setup, const Snapshot &lagging, const Snapshot &state);
+  void add(const ContactLoad<D> &load);
 
-// Takes from friction and rolling what their springs hold now.
-template <int D>
-Work without_springs(Work work, const std::vector<ContactLoad<D>> &loads);
+  // Per time; of friction and rolling what leaves the motion, the energy of their springs included.
+  Work power() const;
+
+  // What the springs of friction and rolling hold.
+  const Work &held() const { return held_; }
+
+ private:
+  double push_of_fixed(const ContactLoad<D> &load) const;
+
+  const Setup &setup_;
+  const Snapshot &lagging_, &state_;
+  Work contacts_, held_;
+};
 
 inline void add(Work &sum, const Work &power, double time) {
   for (double Work::*channel : {&Work::dashpot, &Work::friction, &Work::rolling, &Work::drag, &Work::input})
