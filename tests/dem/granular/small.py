@@ -8,6 +8,7 @@ import os
 import sys
 import tempfile
 
+import drum_regimes
 import states
 
 
@@ -45,6 +46,15 @@ def paper(run, name):
     return float(rows[0]["contact"]) == 0 and drift < 1e-3 and int(rows[-1]["contacts"]) > 0
 
 
+def drum(hgrid, folder):
+    """At Froude number 2 teeth take the bed round with the drum within two turns; a drum without them does not."""
+    found = [drum_regimes.turn(hgrid, folder, 2.0, 2, tooth) for tooth in (1.0, 0.0)]
+    regimes = [drum_regimes.regime(flight, speed, slope) for flight, speed, _, slope, _ in found]
+    print("drum: goes round at %.3f of its speed (%s), without teeth at %.3f (%s)" %
+          (found[0][1], regimes[0], found[1][1], regimes[1]))
+    return regimes[0] == "centrifuging" != regimes[1]
+
+
 def main():
     hgrid, scenes = os.path.abspath(sys.argv[1]), sys.argv[2]
     with tempfile.TemporaryDirectory() as folder:
@@ -56,6 +66,7 @@ def main():
 
         good = [compression(run), sedimentation(run)]
         good += [paper(run, "paper-" + law) for law in ("mono", "two-sizes", "uniform-size", "uniform-volume")]
+        good.append(drum(hgrid, folder))
     sys.exit(not all(good))
 
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the floor of a silo as an STL file: stl.py WIDTH DIAMETER [SEGMENTS] > silo-floor.stl. A square from 0 to
-WIDTH at z = 0 with a round hole in its middle."""
+"""Walls as STL files. As a program it writes the floor of a silo: stl.py WIDTH DIAMETER [SEGMENTS] > silo-floor.stl. A
+square from 0 to WIDTH at z = 0 with a round hole in its middle."""
 
 import math
 import sys
@@ -25,6 +25,20 @@ def floor_with_hole(width, diameter, segments=32):
     triangles = []
     for k in range(segments):
         a, b, c, d = on_circle(k), on_square(k), on_square(k + 1), on_circle(k + 1)
+        triangles += [(a, b, c), (a, c, d)]
+    return triangles
+
+
+def toothed_drum(radius, depth, teeth, height):
+    """Triangles of a drum about the y axis from 0 to depth; between its teeth, which stick out inwards, it has the
+    radius."""
+    triangles = []
+    for k in range(2 * teeth):
+        (x, z), (u, w) = (
+            (r * math.cos(math.pi * n / teeth), r * math.sin(math.pi * n / teeth))
+            for n, r in ((n % (2 * teeth), radius - height * (n % 2)) for n in (k, k + 1))
+        )
+        a, b, c, d = (x, 0.0, z), (u, 0.0, w), (u, depth, w), (x, depth, z)
         triangles += [(a, b, c), (a, c, d)]
     return triangles
 
