@@ -12,11 +12,15 @@
 
 #include <pugixml.hpp>
 
+#include <cmath>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace particles {
 namespace {
+
+constexpr double kMost = 1e9;  // of walls
 
 template <class Number, class Visit>
 void write_array(Output &out, const char *type, const char *name, int components, const WallShapes &walls,
@@ -86,8 +90,10 @@ class WallReader {
     size_t next = 0;
     for (const double end : ends) {
       if (cell_ >= kinds_.size()) fail("has fewer kinds than walls");
-      WallPart part{static_cast<WallKind>(kinds_[cell_]), static_cast<int64_t>(walls_[cell_]), {}};
-      cell_++;
+      const double kind = kinds_[cell_], wall = walls_[cell_++];
+      if (!(kind >= 0 && kind <= static_cast<double>(WallKind::kMesh) && std::fabs(wall) < kMost))
+        fail("has another kind");
+      WallPart part{static_cast<WallKind>(kind), static_cast<int64_t>(wall), {}};
       for (; static_cast<double>(next) < end; next++) {
         if (next >= places.size() || !(places[next] >= 0 && 3 * places[next] + 2 < static_cast<double>(points_.size())))
           fail("names a point that it lacks");

@@ -77,6 +77,19 @@ def read_vtp(path):
     return arrays
 
 
+def check_walls(path):
+    """The box: its twelve edges, and faces where it ends in walls, in cells that VTK counts lines first."""
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(path)
+    reader.Update()
+    data = reader.GetOutput()
+    assert data.GetNumberOfLines() == 12 and data.GetNumberOfPolys() == 2, path
+    assert data.GetBounds() == (0, EDGES[0], 0, EDGES[1], 0, EDGES[2]), path
+    assert (vtk_to_numpy(data.GetCellData().GetArray("wall")) == -1).all(), path
+    for cell in (12, 13):
+        assert data.GetCell(cell).GetBounds()[4] == data.GetCell(cell).GetBounds()[5], path
+
+
 def read_xyz(path):
     atoms = ase.io.read(path, format="extxyz")
     assert atoms.get_pbc().tolist() == [True, True, False], path
@@ -99,6 +112,7 @@ def main(hgrid):
         pictures = sorted(glob.glob(folder + "/out/state-*.vtp"))
         assert len(pictures) == 4, pictures
         for k, path in enumerate(pictures):
+            check_walls(path.replace("state-", "walls-"))
             vtp, xyz = read_vtp(path), read_xyz(path.replace(".vtp", ".xyz"))
             for name in vtp:
                 assert np.array_equal(vtp[name], xyz[name]), (SEED, path, name)
