@@ -6,6 +6,7 @@
 #include "src/base/parallel.hpp"
 #include "src/pairs/pair_visit.hpp"
 #include "src/search/contact_visit.hpp"
+#include "src/search/direct_visit.hpp"
 #include "src/search/skin.hpp"
 
 #include <algorithm>
@@ -76,7 +77,9 @@ void Grid::move(size_t count, const double *centers, const double *radii) {
   // Many callers give the same radii in each step; that is no reason to choose levels anew or to look for growth.
   const bool same = radii != nullptr && count > 0 && count == store_.slots() && count == store_.live_count() &&
                     std::memcmp(radii, store_.radii(), count * sizeof *radii) == 0;
-  store_.move(count, centers, same ? nullptr : radii);
+  double distance = 0;
+  store_.move(count, centers, same ? nullptr : radii, candidates_.counts_motion() ? &distance : nullptr);
+  if (candidates_.counts_motion()) candidates_.add_motion(distance);
   changed(radii != nullptr && !same);
 }
 
@@ -312,7 +315,7 @@ void Grid::copy_pairs(size_t capacity, int32_t *a, int32_t *b, size_t *count) {
 // With many images a pair of ids does not tell which of them is meant: then the list tells it.
 void Grid::visit_contacts(hg_contact_visitor *visit, void *context) {
   build();
-  if (store_.slots() == 0) return;
+  if (store_.slots() == 0 || visit_direct_contacts(visit, context)) return;
   const PairGeometry shape = geometry();
   ContactVisit contacts(shape, store_, definition_.domain.dimension, memory_, visit, context);
   if (shape.many_images()) {
@@ -326,6 +329,27 @@ void Grid::visit_contacts(hg_contact_visitor *visit, void *context) {
     return static_cast<ContactVisit *>(all)->take(pairs, count) ? 0 : 1;
   };
   visit_pairs(take, &contacts);
+}
+
+// Contacts straight from direct candidates. False, and nothing is visited, if others have to answer.
+bool Grid::visit_direct_contacts(hg_contact_visitor *visit, void *context) {
+  const bool in_order = definition_.pair_order == HG_ORDER_ID;
+  Answer answer;
+  {
+    const std::lock_guard lock(mutex_);
+    build_locked();
+    if (!candidates_.direct() || (in_order && pairs_found_)) return false;
+    answer = answer_locked();
+    if (in_order && !candidates_.ascending()) return false;
+  }
+  DirectVisit contacts(filter_, candidates_, store_, memory_, visit, context);
+  {
+    const VisitScope scope(this);
+    contacts.run();
+  }
+  const std::lock_guard lock(mutex_);
+  count_answer(answer, contacts.counts(), contacts.visited());
+  return true;
 }
 
 void Grid::query_order(const int32_t **ids, size_t *count) {

@@ -86,6 +86,7 @@ class Grid {
   void find_pairs_locked();
   void find_vectors_locked();
   PairGeometry geometry() const;
+  bool visit_direct_contacts(hg_contact_visitor *visit, void *context);
   void make_rows_locked(int32_t list);
 
   Definition definition_;

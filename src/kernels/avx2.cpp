@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "src/kernels/doubles_avx2.hpp"
 #include "src/kernels/kernel_set.hpp"
 #include "src/kernels/lanes_avx2.hpp"
 #include "src/kernels/make_kernels.hpp"
@@ -7,6 +8,6 @@
 
 namespace hg {
 
-const KernelSet kAvx2Kernels = make_kernels<Avx2Lanes, Avx2Sorter>("avx2");
+const KernelSet kAvx2Kernels = make_kernels<Avx2Lanes, Avx2Doubles, Avx2Sorter>("avx2");
 
 }  // namespace hg

@@ -6,6 +6,7 @@
 
 #include "src/kernels/kernel_set.hpp"
 
+#include <cmath>
 #include <cstring>
 
 namespace hg {
@@ -81,6 +82,25 @@ InputSummary check_input(const InputArrays &input) {
   for (size_t axis = 0; axis < D; axis++) found.center[axis] = centers.column(axis);
   found.radius = radii.column(0);
   return found;
+}
+
+// The second look: when all is well, centres are copied over those of before, and how far they go is seen on the way.
+template <size_t D>
+double move_centers(const double *centers, size_t count, double *copy) {
+  constexpr size_t kAbreast = 32;  // coordinates, of whatever axes
+  double largest[kAbreast] = {};
+  const auto take = [&](size_t lane, size_t i) {
+    const double way = std::fabs(centers[i] - copy[i]);
+    largest[lane] = way > largest[lane] ? way : largest[lane];
+    copy[i] = centers[i];
+  };
+  const size_t whole = count * D / kAbreast * kAbreast;
+  for (size_t i = 0; i < whole; i += kAbreast) {
+    for (size_t lane = 0; lane < kAbreast; lane++) take(lane, i + lane);
+  }
+  for (size_t i = whole; i < count * D; i++) take(0, i);
+  for (size_t lane = 1; lane < kAbreast; lane++) largest[0] = largest[lane] > largest[0] ? largest[lane] : largest[0];
+  return largest[0];
 }
 
 }  // namespace

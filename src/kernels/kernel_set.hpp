@@ -33,6 +33,9 @@ struct InputSummary {
 
 using InputCheckKernel = InputSummary(const InputArrays &input);
 
+// Copies `count` centres over those of before. Returns the longest way that one goes on any axis.
+using MoveKernel = double(const double *centers, size_t count, double *copy);
+
 // ---- build: from the caller's arrays to rows of points
 
 // Of a level: rows are numbered row_base + z * count_y + y. An empty level has zero inverse widths and a single row.
@@ -214,9 +217,10 @@ struct UpdateInput {
   float room;                              // how far a particle may move and grow together, in quanta
 };
 
-// Writes points [begin, end): where the particles are now, beyond the faces of a periodic box if they left it. Radii
-// are written only if given. False, with any points, if one has moved too far.
-using UpdateKernel = bool(const UpdateInput &input, size_t begin, size_t end, Point *points);
+// Writes points [begin, end), unless NULL: where the particles are now, beyond the faces of a periodic box if they left
+// it. Radii are written only if given. Returns what is left of the room to the particle that has the least; negative,
+// with any points, if one has moved too far.
+using UpdateKernel = float(const UpdateInput &input, size_t begin, size_t end, Point *points);
 
 // ---- filter: from stored candidates to pairs
 
@@ -231,6 +235,41 @@ struct FilterInput {
 // Sends the candidates that interact to the stream, as slots and in their order. Undecided pairs name points instead of
 // slots. False if the output stopped.
 using FilterKernel = bool(const FilterInput &input, PairStream *stream);
+
+// ---- direct: the same on the caller's doubles
+
+struct DirectInput {
+  const double *centers, *radii;  // by slot
+  const hg_pair *pairs;           // of slots
+  size_t count;
+  double margin;
+  // Decides a pair that the test leaves open.
+  bool (*interact)(const void *judge, const hg_pair &pair, int64_t *exact);
+  const void *judge;
+};
+
+// Sends the pairs that interact to the stream, in their order. False if the output stopped.
+using DirectPairsKernel = bool(const DirectInput &input, PairStream *stream);
+
+// Room for contacts, and kPadding more. Vectors lead from a to b.
+struct ContactColumns {
+  size_t room;
+  int32_t id_offset;
+  int32_t *a, *b;
+  double *component[3], *reach;  // component[2] is not written in 2D
+  size_t count;
+  int64_t undecided, exact;  // counted up
+};
+
+// Fills the columns, from their begin on, with the pairs that interact. Returns how many pairs it looked at before they
+// were full.
+using DirectContactsKernel = size_t(const DirectInput &input, ContactColumns *to);
+
+// NULL where an instruction set has no such kernels.
+struct DirectKernel {
+  DirectPairsKernel *pairs;
+  DirectContactsKernel *contacts;
+};
 
 // ---- order: from partners row by row to pairs in ascending order
 
@@ -254,6 +293,7 @@ using OrderKernel = hg_pair *(const PartnerRows &rows, hg_pair *next);
 struct KernelSet {
   const char *name;
   InputCheckKernel *check_input[2];
+  MoveKernel *move[2];
   BuildKernel build[2];
   ChunkBuildKernel chunk_build[2];
   ImageKernel *find_images[2];
@@ -262,6 +302,7 @@ struct KernelSet {
   SphereKernel *find_hits[2][InteractionRules::kCount];
   UpdateKernel *update[2];
   FilterKernel *filter[InteractionRules::kCount];
+  DirectKernel direct[2][InteractionRules::kCount];
   OrderKernel *order;
 };
 

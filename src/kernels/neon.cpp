@@ -7,6 +7,6 @@
 
 namespace hg {
 
-const KernelSet kNeonKernels = make_kernels<NeonLanes, PlainSorter>("neon");
+const KernelSet kNeonKernels = make_kernels<NeonLanes, NoDoubles, PlainSorter>("neon");
 
 }  // namespace hg

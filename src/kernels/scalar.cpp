@@ -7,6 +7,6 @@
 
 namespace hg {
 
-const KernelSet kScalarKernels = make_kernels<ScalarLanes, PlainSorter>("scalar");
+const KernelSet kScalarKernels = make_kernels<ScalarLanes, NoDoubles, PlainSorter>("scalar");
 
 }  // namespace hg

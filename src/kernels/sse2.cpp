@@ -7,6 +7,6 @@
 
 namespace hg {
 
-const KernelSet kSse2Kernels = make_kernels<Sse2Lanes, PlainSorter>("sse2");
+const KernelSet kSse2Kernels = make_kernels<Sse2Lanes, NoDoubles, PlainSorter>("sse2");
 
 }  // namespace hg

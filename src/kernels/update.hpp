@@ -29,8 +29,8 @@ class UpdateBlock {
  public:
   explicit UpdateBlock(const UpdateInput &input) : input_(input) {}
 
-  // False if a particle has moved too far.
-  bool run(size_t at, size_t end, Point *points) {
+  // What is left of the room, as an UpdateKernel tells it.
+  float run(size_t at, size_t end, Point *points) {
     const size_t count = end - at < kUpdateBlock ? end - at : kUpdateBlock;
     load(at, count, end);
     for (float &d2 : moved2_) d2 = 0;
@@ -45,17 +45,26 @@ class UpdateBlock {
     int32_t beyond = 0;
     for (size_t i = 0; i < kUpdateBlock; i++) beyond |= moved2_[i] <= room_[i] * room_[i] ? 0 : 1;
     for (const float room : room_) beyond |= room >= 0.0f ? 0 : 1;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; points != nullptr && i < count; i++) {
       Point &point = points[at + i];
       point.x = fixed_[0][i];
       point.y = fixed_[1][i];
       point.z = D == 3 ? fixed_[2][i] : 0;
       if (input_.radii != nullptr) point.radius = folded_[i];
     }
-    return beyond == 0;
+    return beyond == 0 ? least_left() : -1.0f;
   }
 
  private:
+  // Of all, the least room, less the longest way: not more than what is left to any.
+  float least_left() const {
+    float least = room_[0], longest2 = 0;
+    for (const float room : room_) least = room < least ? room : least;
+    for (const float d2 : moved2_) longest2 = d2 > longest2 ? d2 : longest2;
+    const float left = least - std::sqrt(longest2);
+    return left > 0.0f ? left : 0.0f;
+  }
+
   // A block that is not full repeats its first particle.
   void load(size_t at, size_t count, size_t end) {
     for (size_t i = 0; i < kUpdateBlock; i++) {
@@ -177,12 +186,15 @@ class UpdateBlock {
 };
 
 template <int D>
-bool update(const UpdateInput &input, size_t begin, size_t end, Point *points) {
+float update(const UpdateInput &input, size_t begin, size_t end, Point *points) {
   UpdateBlock<D> block(input);
+  float least = input.room;
   for (size_t at = begin; at < end; at += kUpdateBlock) {
-    if (!block.run(at, end, points)) return false;
+    const float left = block.run(at, end, points);
+    if (left < 0.0f) return left;
+    least = left < least ? left : least;
   }
-  return true;
+  return least;
 }
 
 }  // namespace

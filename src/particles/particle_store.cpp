@@ -11,6 +11,7 @@
 namespace hg {
 namespace {
 
+constexpr double kCubeDiagonal = 1.7320508075688776;  // of edge 1, rounded up
 constexpr int64_t kMaxId = std::numeric_limits<int32_t>::max();
 
 }  // namespace
@@ -66,13 +67,17 @@ void ParticleStore::check_count(size_t count) const {
   }
 }
 
-void ParticleStore::move(size_t count, const double *centers, const double *radii) {
+void ParticleStore::move(size_t count, const double *centers, const double *radii, double *distance) {
   check_count(count);
   if (count == 0) return;
   compact();
   InputSummary found = check_.check({count, centers, radii, nullptr, nullptr});
   if (radii != nullptr) check_cell(cell_, radii, count, found.radius.greatest);
-  std::memcpy(centers_.data(), centers, count * dimension_ * sizeof(double));
+  if (distance == nullptr) {
+    std::memcpy(centers_.data(), centers, count * dimension_ * sizeof(double));
+  } else {
+    *distance = kCubeDiagonal * active_kernels().move[dimension_ - 2](centers, count, centers_.data());
+  }
   if (radii != nullptr) std::memcpy(radii_.data(), radii, count * sizeof(double));
   if (radii == nullptr) found.radius = summary_.radius;
   summary_ = found;

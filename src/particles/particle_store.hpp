@@ -28,7 +28,8 @@ class ParticleStore {
   void check_set(size_t count) const { check_ids(index_base_, count); }
   // Throws and changes nothing if a value is bad.
   void insert(size_t count, const double *centers, const double *radii);
-  void move(size_t count, const double *centers, const double *radii);
+  // *distance, unless NULL, becomes what no particle has moved farther than.
+  void move(size_t count, const double *centers, const double *radii, double *distance = nullptr);
   // Exactly these, with ids that start anew.
   void set(size_t count, const double *centers, const double *radii);
   void remove(size_t count, const int32_t *ids);

@@ -35,12 +35,33 @@ PairJudge CandidateFilter::judge() const {
 }
 
 bool CandidateFilter::send(size_t task, PairStream &stream) const {
-  const size_t first = task * kFilterTask;
-  const FilterInput input{candidates_.points(), candidates_.slots(), candidates_.pairs() + first,
-                          std::min(kFilterTask, candidates_.count() - first)};
+  const size_t first = task * kFilterTask, count = std::min(kFilterTask, candidates_.count() - first);
+  if (candidates_.direct()) return send_direct(first, count, stream);
+  const FilterInput input{candidates_.points(), candidates_.slots(), candidates_.pairs() + first, count};
   const bool go_on = active_kernels().filter[candidates_.index().interaction.kind](input, &stream);
   stream.judge.decide(&stream);
   return go_on;
+}
+
+bool CandidateFilter::send_direct(size_t first, size_t count, PairStream &stream) const {
+  const DirectInput input = direct_input(first, count);
+  const Index &index = candidates_.index();
+  return active_kernels().direct[index.domain.dimension - 2][index.interaction.kind].pairs(input, &stream);
+}
+
+DirectInput CandidateFilter::direct_input(size_t first, size_t count) const {
+  const auto interact = [](const void *judge, const hg_pair &pair, int64_t *exact) {
+    const auto &self = *static_cast<const CandidateFilter *>(judge);
+    return self.candidates_.interact(static_cast<uint32_t>(pair.a), static_cast<uint32_t>(pair.b), self.store_,
+                                     self.overlap_, *exact);
+  };
+  return {store_.centers(),
+          store_.radii(),
+          candidates_.pairs() + first,
+          count,
+          overlap_.interaction().margin,
+          interact,
+          this};
 }
 
 }  // namespace hg

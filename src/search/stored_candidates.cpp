@@ -22,6 +22,9 @@ constexpr double kMostDeformed = 0x1p-4;
 // Covers the roundings of squares, sums and of the skin itself.
 constexpr double kRoomScale = 1 - 0x1p-20;
 
+// The square of no reach up to that overflows.
+constexpr double kMostReach = 1e150;
+
 constexpr size_t kUpdateTask = 8192;  // particles
 
 // The length of what one cell makes of a shift less what the other does, and what is rounded.
@@ -103,12 +106,33 @@ bool StoredCandidates::collect(const Index &index, const SearchTasks &tasks, con
   counts = list_.gather(CandidateSearch(index, tasks, store, slot_.data()), pool, particle_count_, most);
   if (list_.count() > most) return false;
   set_slots();
-  points_.require_room(count);
+  direct_ = may_be_direct(store);
+  left_ = room_ * kRoomScale;
+  if (direct_) {
+    for (size_t k = 0; k < list_.count(); k++) list_.data()[k] = slots_of(list_.data()[k]);
+  } else {
+    points_.require_room(count);
+  }
   set_points(store);
-  update_images();
+  if (!direct_) update_images();
   kept_ = true;
   return true;
 }
+
+// Doubles are in the caller's order: where that does not follow space, fetching them for each pair costs more than
+// points that follow.
+bool StoredCandidates::may_be_direct(const ParticleStore &store) const {
+  if (active_kernels().direct[0][0].pairs == nullptr || index_->domain.any_periodic) return false;
+  if (!squares_are_safe(store.summary().radius)) return false;
+  return !is_scattered(particle_count_, slot_count_, [this](size_t p) { return static_cast<int32_t>(slot_[p]); });
+}
+
+bool StoredCandidates::squares_are_safe(const Interval &radii) const {
+  return interaction_.diameter(radii.greatest) <= kMostReach;
+}
+
+// Ways are summed in doubles, each rounded by less than kRoomScale takes off the room.
+void StoredCandidates::add_motion(double distance) { left_ -= distance * index_->map.scale; }
 
 template <class Body>
 void StoredCandidates::for_parts(Body &&body) {
@@ -137,8 +161,10 @@ void StoredCandidates::set_points(const ParticleStore &store) {
   for (int axis = 0; axis < with_places; axis++) place_[axis].require_room(particle_count_);
   for_parts([&](size_t begin, size_t end) {
     for (size_t p = begin; p < end; p++) {
-      const auto radius = static_cast<float>((store.radius(slot_[p]) + extra) * scale);
-      points_[p] = {from.x[p], from.y[p], flat ? 0 : from.z[p], radius};
+      if (!direct_) {
+        const auto radius = static_cast<float>((store.radius(slot_[p]) + extra) * scale);
+        points_[p] = {from.x[p], from.y[p], flat ? 0 : from.z[p], radius};
+      }
       if (with_places == 0) continue;
       double quanta[3];
       index_->map.find_quanta(store.center(slot_[p]), with_places, quanta);
@@ -156,9 +182,14 @@ void StoredCandidates::find_points_of_slots() {
 void StoredCandidates::ascend(PairOrder &order) {
   hg_pair *pairs = list_.data();
   const size_t count = list_.count();
-  const auto first = [&](size_t k) { return slots_of(pairs[k]).a; };
+  const auto first = [&](size_t k) { return direct_ ? pairs[k].a : slots_of(pairs[k]).a; };
   if (!kept_ || ascending_ || is_scattered(count, slot_count_, first)) return;
   kept_ = false;
+  if (direct_) {
+    order.ascend(pairs, count, slot_count_, 0);
+    kept_ = ascending_ = true;
+    return;
+  }
   const size_t images = copy_image_candidates();
   for (size_t k = 0; k < count; k++) pairs[k] = slots_of(pairs[k]);
   order.ascend(pairs, count, slot_count_, 0);
@@ -202,8 +233,10 @@ void StoredCandidates::slots_to_points(size_t images) {
 
 bool StoredCandidates::update(const ParticleStore &store, bool radii) {
   if (!kept_) return false;
-  kept_ = update_particles(store, radii);
-  if (kept_) update_images();
+  if (direct_ && left_ > 0 && !radii) return moved_ = true;
+  const bool unsafe = direct_ && radii && !squares_are_safe(store.summary().radius);
+  kept_ = !unsafe && update_particles(store, radii);
+  if (kept_ && !direct_) update_images();
   moved_ = kept_;
   return kept_;
 }
@@ -225,12 +258,16 @@ bool StoredCandidates::update_particles(const ParticleStore &store, bool radii) 
     input.place[axis] = place_[axis].data();
   }
   UpdateKernel *kernel = active_kernels().update[index_->domain.dimension - 2];
-  std::atomic<bool> all_near{true};
+  std::atomic<float> least_left{room_};
   for_parts([&](size_t begin, size_t end) {
-    if (!all_near.load(std::memory_order_relaxed)) return;
-    if (!kernel(input, begin, end, points_.data())) all_near.store(false, std::memory_order_relaxed);
+    float least = least_left.load(std::memory_order_relaxed);
+    if (least < 0) return;
+    const float left = kernel(input, begin, end, direct_ ? nullptr : points_.data());
+    while (left < least && !least_left.compare_exchange_weak(least, left, std::memory_order_relaxed)) {
+    }
   });
-  return all_near.load();
+  left_ = least_left.load() * kRoomScale;
+  return left_ >= 0;
 }
 
 void StoredCandidates::update_images() {
@@ -269,6 +306,7 @@ Shift StoredCandidates::boxes(size_t p, const ParticleStore &store) const {
 // An image is always the larger number.
 bool StoredCandidates::interact(uint32_t a, uint32_t b, const ParticleStore &store, const Overlap &overlap,
                                 int64_t &exact) const {
+  if (direct_) return overlap.is_pair(store.ball(b), store.ball(a), Shift{}, exact);
   const Ball ball_a = store.ball(slot_[a]), ball_b = store.ball(slot_[b]);
   const Domain &domain = index_->domain;
   if (!domain.any_periodic) return overlap.is_pair(ball_b, ball_a, Shift{}, exact);
@@ -301,6 +339,7 @@ bool StoredCandidates::keep_in(const Domain &domain) {
   const double skin = skin_ - longer;
   if (!(skin * index_->map.scale >= kLeastQuanta)) return false;
   room_ = room_within(skin, index_->map.scale);
+  left_ = 0;
   return true;
 }
 

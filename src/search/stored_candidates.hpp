@@ -38,17 +38,24 @@ class StoredCandidates {
   // `radii`: one may have changed since the candidates were collected.
   bool update(const ParticleStore &store, bool radii);
 
+  // Particles have moved by this distance at most since the last call of this or of update.
+  void add_motion(double distance);
+  // Whether that matters: else update looks at all particles anyway.
+  bool counts_motion() const { return direct(); }
+
   bool kept() const { return kept_; }
   bool moved() const { return moved_; }  // particles may have, since the index was built
   size_t count() const { return kept_ ? list_.count() : 0; }
 
   // While candidates are kept:
   const Index &index() const { return *index_; }
-  const Point *points() const { return points_.data(); }
+  const hg_pair *pairs() const { return list_.data(); }  // of points; of slots, the smaller first, if direct
+  // They are tested on the caller's doubles: nothing has to follow the particles while they have not moved far.
+  bool direct() const { return kept_ && direct_; }
   const uint32_t *slots() const { return slot_.data(); }  // of the points
-  const hg_pair *pairs() const { return list_.data(); }   // of points
+  const Point *points() const { return points_.data(); }  // none if direct
 
-  // Do two points interact, decided on the caller's doubles?
+  // Do two points (slots) interact, decided on the caller's doubles?
   bool interact(uint32_t a, uint32_t b, const ParticleStore &store, const Overlap &overlap, int64_t &exact) const;
 
   // Particle p of the index lies whole edges of the cell away from where the caller has it: how many are taken off.
@@ -67,6 +74,8 @@ class StoredCandidates {
   // body(begin, end) for parts of the particles, on all threads.
   template <class Body>
   void for_parts(Body &&body);
+  bool may_be_direct(const ParticleStore &store) const;
+  bool squares_are_safe(const Interval &radii) const;
   void set_slots();
   void set_points(const ParticleStore &store);
   bool update_particles(const ParticleStore &store, bool radii);
@@ -82,10 +91,12 @@ class StoredCandidates {
   Interaction interaction_;
   Domain collected_;  // where they were
   double skin_ = 0;
-  float room_ = 0;  // quanta that a particle may move and grow
+  float room_ = 0;   // quanta that a particle may move and grow
+  double left_ = 0;  // of them, surely, without a look at each; if direct
   bool kept_ = false;
   bool moved_ = false;
   bool ascending_ = false;
+  bool direct_ = false;
   size_t particle_count_ = 0, image_count_ = 0;  // of the index
   size_t slot_count_ = 0;
   PairList list_;

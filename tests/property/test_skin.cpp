@@ -95,8 +95,10 @@ class Run {
     if (rng_.chance(0.2)) grid_.build();
     if (rng_.chance(0.2)) compare_sphere(by_double);
     if (rng_.chance(0.3)) compare_visit(expected);
+    if (rng_.chance(0.3)) compare_contacts(expected);
     require_same(scene_.name.c_str(), as_asked(pairs_of(grid_)), expected);
     if (rng_.chance(0.2)) compare_visit(expected);
+    if (rng_.chance(0.2)) compare_contacts(expected);
     if (rng_.chance(0.3)) compare_neighbors(expected);
     if (rng_.chance(0.3)) compare_sphere(by_double);
   }
@@ -105,6 +107,32 @@ class Run {
     Pairs visited;
     grid_.visit_pairs([&](hgrid::View<hg_pair> batch) { visited.insert(visited.end(), batch.begin(), batch.end()); });
     require_same((scene_.name + ", visited").c_str(), as_asked(visited), expected);
+  }
+
+  // In the order of the list; what leads from a to b is what a search without a skin finds.
+  void compare_contacts(const Pairs &expected) {
+    const auto row = [this](int32_t id) { return static_cast<size_t>(id - scene_.def.index_base); };
+    Pairs visited;
+    std::vector<double> vectors;
+    grid_.visit_contacts([&](const hg_contact_batch &batch) {
+      for (size_t k = 0; k < batch.count; k++) {
+        visited.push_back({batch.a[k], batch.b[k]});
+        const double r = scene_.particles.radii[row(batch.a[k])], s = scene_.particles.radii[row(batch.b[k])];
+        const double base = scene_.def.interaction == HG_MAX_RANGE ? std::fmax(r, s) : r + s;
+        require(batch.reach[k] == base + scene_.def.margin, scene_.name + ": another reach");
+        const double *components[3] = {batch.dx, batch.dy, batch.dz};
+        for (size_t axis = 0; axis < dimension(); axis++) vectors.push_back(components[axis][k]);
+      }
+    });
+    require_same((scene_.name + ", contacts").c_str(), as_asked(visited), expected);
+    require_same((scene_.name + ", contacts as listed").c_str(), visited, pairs_of(grid_));
+    const auto listed = grid_.query_pair_vectors().vectors;
+    require(std::equal(vectors.begin(), vectors.end(), listed.begin(), listed.end()), scene_.name + ": other vectors");
+    if (std::any_of(scene_.def.periodic, scene_.def.periodic + 3, [](int32_t is) { return is != 0; })) return;
+    for (size_t k = 0; k < vectors.size(); k++) {
+      const double *from = center(row(visited[k / dimension()].a)), *to = center(row(visited[k / dimension()].b));
+      require(vectors[k] == to[k % dimension()] - from[k % dimension()], scene_.name + ": another vector");
+    }
   }
 
   // HG_ORDER_ID promises the order, too.

@@ -68,15 +68,20 @@ struct Points {
 inline bool update(const Points &points, bool with_radii, size_t begin, size_t end, std::vector<hg::Point> &now) {
   const std::array<hg::Interval, 3> extent = extent_of(points.centers, static_cast<int>(points.dimension));
   bool first = false;
+  float first_left = 0;
   for (const hg::KernelSet *set : kernel_sets()) {
     std::vector<hg::Point> moved(points.slot.size(), kUntouched);
-    const bool near =
+    const float left =
         set->update[points.dimension - 2](points.input(with_radii, extent.data()), begin, end, moved.data());
+    const bool near = left >= 0;
     if (set == &hg::kScalarKernels) {
       first = near;
+      first_left = left;
       now = moved;
     }
     require(near == first, "%s: %d instead of %d", set->name, near, first);
+    require(left == first_left, "%s: %g quanta are left instead of %g", set->name, static_cast<double>(left),
+            static_cast<double>(first_left));
     for (size_t p = 0; p < moved.size(); p++) {
       const bool inside = p >= begin && p < end;
       require(inside || same_point(moved[p], kUntouched), "%s: point %zu, outside the range, is written", set->name, p);

@@ -43,8 +43,9 @@ struct Stored {
     }
     return pairs;
   }
-  // A pair of points as a pair of particles.
+  // A candidate as a pair of particles.
   hg_pair slots_of(const hg_pair &pair) const {
+    if (candidates.direct()) return pair;
     const auto a = static_cast<int32_t>(candidates.slots()[pair.a]),
                b = static_cast<int32_t>(candidates.slots()[pair.b]);
     return {std::min(a, b), std::max(a, b)};
