@@ -15,20 +15,25 @@ namespace hg {
 
 inline bool comes_first(const hg_pair &p, const hg_pair &q) { return p.a < q.a || (p.a == q.a && p.b < q.b); }
 
+// Whether of `count` numbers, number(k), more than a quarter are farther than that from the one before. Looks at some.
+template <class Number>
+bool jump_about(size_t count, int64_t far, Number &&number) {
+  constexpr size_t kSamples = 1024;
+  size_t jumps = 0, seen = 0;
+  for (size_t k = 1; k < count; k += count / kSamples + 1) {
+    jumps += std::abs(int64_t{number(k)} - number(k - 1)) > far ? 1 : 0;
+    seen++;
+  }
+  return 4 * jumps > seen;
+}
+
 // Of so many particles that caches do not hold what belongs to them all: do successive pairs often have an a, first(p),
 // too far from the last one's for caches? Near pairs stand together, so this tells ids in any order from those that
 // follow space.
 template <class First>
 bool is_scattered(size_t pairs, size_t particles, First &&first) {
-  constexpr size_t kInCache = size_t{1} << 18, kSamples = 1024;
-  constexpr int64_t kFar = 1 << 16;
-  if (particles <= kInCache) return false;
-  size_t far = 0, seen = 0;
-  for (size_t p = 1; p < pairs; p += pairs / kSamples + 1) {
-    far += std::abs(int64_t{first(p)} - first(p - 1)) > kFar ? 1 : 0;
-    seen++;
-  }
-  return 4 * far > seen;
+  constexpr size_t kInCache = size_t{1} << 18;
+  return particles > kInCache && jump_about(pairs, 1 << 16, first);
 }
 
 class PairOrder {

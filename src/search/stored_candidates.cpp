@@ -119,12 +119,14 @@ bool StoredCandidates::collect(const Index &index, const SearchTasks &tasks, con
   return true;
 }
 
-// Doubles are in the caller's order: where that does not follow space, fetching them for each pair costs more than
-// points that follow.
+// Doubles are in the caller's order. Where that does not follow space, a candidate fetches two centres and two radii
+// from anywhere, and an update one centre for each particle.
 bool StoredCandidates::may_be_direct(const ParticleStore &store) const {
   if (active_kernels().direct[0][0].pairs == nullptr || index_->domain.any_periodic) return false;
   if (!squares_are_safe(store.summary().radius)) return false;
-  return !is_scattered(particle_count_, slot_count_, [this](size_t p) { return static_cast<int32_t>(slot_[p]); });
+  constexpr int64_t kFar = 4096;  // particles: what lies between is not in the nearer caches
+  return 4 * list_.count() <= particle_count_ ||
+         !jump_about(particle_count_, kFar, [this](size_t p) { return static_cast<int32_t>(slot_[p]); });
 }
 
 bool StoredCandidates::squares_are_safe(const Interval &radii) const {
