@@ -48,7 +48,7 @@ PairForces<D>::PairForces(const Setup &setup)
       range_(contact_range(setup)),
       laws_(setup, Partner::kParticle),
       batch_filler_(find_batch_filler<D, double>(setup.effects)),
-      rough_kernel_(find_rough_kernel<D, double>(setup.effects)),
+      rough_kernels_(find_rough_kernels<D, double>(setup.effects)),
       kernel_(find_pair_kernel<D, double>(setup.effects)),
       history_(setup.effects) {
   bodies_.resize(2 * kAtOnce, effects_);
@@ -64,13 +64,11 @@ void PairForces<D>::list(const hg_pair *pairs, size_t count, const std::vector<i
   std::sort(found.begin(), found.end(), [](const Named &x, const Named &y) { return x.key < y.key; });
   rows_.clear();
   names_.clear();
-  std::vector<ListPart> parts;
-  for (size_t p = 0; p < count; p++) {
-    rows_.push_back(found[p].rows);
-    names_.push_back({static_cast<int32_t>(found[p].key >> 32), static_cast<int32_t>(found[p].key & 0xffffffffu)});
-    if (p % kAtOnce == 0) parts.push_back({p, std::min(count, p + kAtOnce), nullptr});
+  for (const Named &pair : found) {
+    rows_.push_back(pair.rows);
+    names_.push_back({static_cast<int32_t>(pair.key >> 32), static_cast<int32_t>(pair.key & 0xffffffffu)});
   }
-  history_.unpack(this->names(), parts);
+  history_.unpack(this->names(), {{0, count, nullptr}});
 }
 
 // Second particles lie far apart in memory, and are asked for in time.
@@ -99,37 +97,33 @@ void PairForces<D>::copy_bodies(const Bodies<D, double> &bodies) {
   }
 }
 
-// The kernel numbers the contacts that it is given from 0 on; what they remember is kept by their places in the list.
+// The kernel numbers the contacts that it is given from 0 on; what they remember stands at their places in the list.
 template <int D>
-void PairForces<D>::add_contacts(size_t part, const Boundary<D, double> &boundary, double step) {
-  Remembered<D, double> &known = history_.part(part)->now;
-  size_t kept = 0, k = 0;
-  for (size_t c = 0; c < known.places.size(); c++) {
-    while (k < touching_.count && touching_.place[k] < known.places[c]) k++;
-    if (k == touching_.count || touching_.place[k] != known.places[c]) continue;
-    known.places[kept] = static_cast<uint32_t>(k);
-    for (auto &rows : known.rows) {
-      if (!rows.empty()) rows[kept] = rows[c];
+void PairForces<D>::add_contacts(const Boundary<D, double> &boundary, double step) {
+  History<D, double> &known = *history_.part(0);
+  const auto for_memories = [&](auto visit) {
+    for (size_t row = 0; row < kHistoryCount; row++) {
+      if (known.rows[row].empty()) continue;
+      remembered_.rows[row].resize(kAtOnce);
+      for (size_t k = 0; k < touching_.count; k++) visit(remembered_.rows[row][k], known.rows[row][touching_.place[k]]);
     }
-    kept++;
-  }
-  known.places.resize(kept);
-  for (auto &rows : known.rows) rows.resize(std::min(kept, rows.size()));
-  if (touching_.count == 0) return;
+  };
+  for_memories([](auto &copy, const auto &memory) { copy = memory; });
+  remembered_.pass = known.pass;
   const ContactTask<D, double> task{&bodies_, &boundary, laws_.all().data(), laws_.width(),
-                                    step,     range_,    batch_filler_,      rough_kernel_};
-  kernel_(task, {copies_.data(), 0, touching_.count, 0, bodies_.count(), history_.part(part)});
-  for (uint32_t &place : known.places) place = touching_.place[place];
+                                    step,     range_,    batch_filler_,      rough_kernels_};
+  kernel_(task, {copies_.data(), 0, touching_.count, 0, bodies_.count(), &remembered_});
+  for_memories([](const auto &copy, auto &memory) { memory = copy; });
 }
 
 template <int D>
 void PairForces<D>::add(const Bodies<D, double> &bodies, const Boundary<D, double> &boundary, double step,
                         PushSums &sums) {
   const BatchTask<D, double> source{bodies.places.data(), &boundary, rows_.data(), range_};
-  for (size_t first = 0, part = 0; first < rows_.size(); first += kAtOnce, part++) {
+  for (size_t first = 0; first < rows_.size(); first += kAtOnce) {
     batch_filler_(source, first, std::min(rows_.size(), first + kAtOnce), touching_);
     copy_bodies(bodies);
-    add_contacts(part, boundary, step);
+    add_contacts(boundary, step);
     for (size_t k = 0; k < touching_.count; k++) {
       const double *later = sums.of(later_row(k));
       fetch(later);
@@ -142,6 +136,7 @@ void PairForces<D>::add(const Bodies<D, double> &bodies, const Boundary<D, doubl
       }
     }
   }
+  history_.part(0)->begin_pass();
 }
 
 double deepest_force(const Setup &setup) {

@@ -45,19 +45,20 @@ class PairForces {
 
   size_t later_row(size_t k) const;
   void copy_bodies(const Bodies<D, double> &bodies);
-  void add_contacts(size_t part, const Boundary<D, double> &boundary, double step);
+  void add_contacts(const Boundary<D, double> &boundary, double step);
 
   EffectSet effects_;
   double range_;
   LawTable<double> laws_;
   BatchFiller<D, double> batch_filler_;
-  RoughKernel<D, double> rough_kernel_;
+  RoughKernels<D, double> rough_kernels_;
   ContactKernel<D, double> kernel_;
   ContactHistory<D, double> history_;
   std::vector<hg_pair> rows_, names_;  // ascending by name
   ContactBatch<double> touching_;      // some of them
   std::vector<hg_pair> copies_;        // where the bodies of each of these are copied to
   Bodies<D, double> bodies_;           // those
+  History<D, double> remembered_;      // and what they remember
 };
 
 // The force of a contact that is as deep as the largest particle, whatever the materials.

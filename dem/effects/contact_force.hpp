@@ -3,14 +3,14 @@
 // All forces and torques of one contact, between two particles or of a particle with a wall.
 #pragma once
 
+#include "dem/base/large_array.hpp"
+#include "dem/base/row.hpp"
 #include "dem/effects/contact_law.hpp"
 #include "dem/effects/rubbing.hpp"
 #include "dem/effects/table.hpp"
 
 #include <array>
-#include <cstdint>
-#include <utility>
-#include <vector>
+#include <cstddef>
 
 namespace dem {
 
@@ -23,55 +23,25 @@ struct Contact : NormalContact<Real> {
   Spin<D, Real> spin;     // of a relative to b (rolling)
 };
 
-// What contacts remember. Pairs are looked at in ascending order of their places in a list; so the contacts of the pass
-// before and those of this one are two lists in the same order, which are gone through side by side.
-template <int D, class Real>
-struct Remembered {
-  std::vector<uint32_t> places;
-  std::array<std::vector<Vec<D, Real>>, kHistoryCount> rows;  // by history_of(effect); empty without the effect
-
-  // Keeps its memory.
-  void clear() {
-    places.clear();
-    for (auto &contacts : rows) contacts.clear();
-  }
-};
-
+// What the contacts of a part of a list of pairs remember: a row at the place of each pair, beside it the pass over the
+// part that the contact was last there in. It goes on from the pass before, else with nothing.
 template <int D, class Real>
 struct History {
-  Remembered<D, Real> before, now;
-  size_t next = 0;  // among those before
+  size_t first = 0;                                         // place in the list
+  Real pass = 0;                                            // only states in double remember: 2^53 passes
+  std::array<LargeArray<Row<Real>>, kHistoryCount> rows{};  // by history_of(effect); empty without the effect
 
-  // A pass over all pairs begins.
-  void begin_pass() {
-    std::swap(before, now);
-    now.clear();
-    next = 0;
-  }
+  void begin_pass() { pass++; }
 
-  // Where the pair at this place, behind those asked for, stands among those before; else as many as they are.
-  size_t find(uint32_t place) {
-    while (next < before.places.size() && before.places[next] < place) next++;
-    return next < before.places.size() && before.places[next] == place ? next : before.places.size();
-  }
+  Row<Real> &row(Effect effect, size_t place) { return rows[history_of(effect)][place - first]; }
+  bool was_there(const Row<Real> &row) const { return row.numbers[3] == pass - 1; }
 
-  // The pair at this place touches: its rows, those of the pass before or 0, are the last of `now`.
-  template <EffectSet E>
-  void meet(uint32_t place) {
-    const size_t former = find(place);
-    const bool known = former < before.places.size();
-    now.places.push_back(place);
-    for_rows<E>(
-        [&](size_t k) { now.rows[k].push_back(known ? before.rows[k][former] : Vec<D, Real>(Vec<D, Real>::Zero())); });
-  }
-
-  Vec<D, Real> &row(Effect effect) { return now.rows[history_of(effect)].back(); }
-
- private:
-  template <EffectSet E, class Visit>
-  static void for_rows(Visit visit) {
-    if constexpr (has(E, kFriction)) visit(history_of(kFriction));
-    if constexpr (has(E, kRolling)) visit(history_of(kRolling));
+  // The pair at this place touches: what it remembers, to go on with.
+  Real *meet(Effect effect, size_t place) {
+    Row<Real> &met = row(effect, place);
+    if (!was_there(met)) met = {};
+    met.numbers[3] = pass;
+    return met.numbers;
   }
 };
 
@@ -104,19 +74,18 @@ template <EffectSet E, int D, class Real>
 inline ContactForce<D, Real> contact_force(const ContactLaw<Real> &law, Contact<D, Real> &contact,
                                            History<D, Real> *history, Real step, size_t p) {
   ContactForce<D, Real> result;
-  if constexpr (has(E, effects_with_history())) history->template meet<E>(static_cast<uint32_t>(p));
   if constexpr (has(E, kDissipation)) contact.closing_speed = contact.velocity.dot(contact.normal);
   const NormalForce<Real> normal = normal_force<E, Real>(law, contact);
   result.force = -normal.value * contact.normal;
   if constexpr (has(E, kFriction)) {
     Vec<D, Real> tangential;
     rub<D>(friction_slider(law, normal), contact.normal.data(), contact.velocity.data(), contact.turning.data(), step,
-           history->row(kFriction).data(), tangential.data(), result.moment.data());
+           history->meet(kFriction, p), tangential.data(), result.moment.data());
     result.force += tangential;
   }
   if constexpr (has(E, kRolling)) {
     roll<D>(rolling_slider(law, normal), contact.normal.data(), contact.spin.data(), 1 / contact.inverse_radius, step,
-            history->row(kRolling).data(), result.rolling.data());
+            history->meet(kRolling, p), result.rolling.data());
   }
   return result;
 }

@@ -33,7 +33,7 @@ Simulation<D, Real>::Simulation(const Setup &setup, std::vector<uint32_t> places
       pair_laws_(setup, Partner::kParticle),
       wall_laws_(setup, Partner::kWall),
       batch_filler_(find_batch_filler<D, Real>(setup.effects)),
-      rough_kernel_(find_rough_kernel<D, Real>(setup.effects)),
+      rough_kernels_(find_rough_kernels<D, Real>(setup.effects)),
       pair_kernel_(find_pair_kernel<D, Real>(setup.effects)),
       wall_kernel_(find_wall_kernel<D, Real>(setup.effects)),
       motion_kernel_(find_motion_kernel<D, Real>(setup.effects)),
@@ -202,7 +202,7 @@ ContactTask<D, Real> Simulation<D, Real>::task_of(const LawTable<Real> &laws) {
           static_cast<Real>(last_drift_),
           static_cast<Real>(contact_range(setup_)),
           batch_filler_,
-          rough_kernel_};
+          rough_kernels_};
 }
 
 template <int D, class Real>

@@ -88,7 +88,7 @@ class Simulation final : public Engine {
   BodyForce<D, Real> body_force_;
   LawTable<Real> pair_laws_, wall_laws_;
   BatchFiller<D, Real> batch_filler_;
-  RoughKernel<D, Real> rough_kernel_;
+  RoughKernels<D, Real> rough_kernels_;
   ContactKernel<D, Real> pair_kernel_, wall_kernel_;
   MotionKernel<D, Real> motion_kernel_;
 

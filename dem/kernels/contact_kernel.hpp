@@ -21,10 +21,10 @@ struct ContactTask {
   const Boundary<D, Real> *boundary;
   const ContactLaw<Real> *laws;  // one for all; of materials a and b: [a * law_row + b]
   size_t law_row;
-  Real step;                                    // the time since the forces were last computed
-  Real range;                                   // how far surfaces act beyond touching
-  BatchFiller<D, Real> fill_batch = nullptr;    // of two particles
-  RoughKernel<D, Real> rough_kernel = nullptr;  // of those with friction
+  Real step;                                  // the time since the forces were last computed
+  Real range;                                 // how far surfaces act beyond touching
+  BatchFiller<D, Real> fill_batch = nullptr;  // of two particles
+  RoughKernels<D, Real> rough_kernels{};      // of those with friction
 };
 
 // The law of particle i with a partner; material_of_partner() is asked only where there are several materials.

@@ -34,7 +34,7 @@ inline Vec<D, Real> relative_velocity(const Bodies<D, Real> &bodies, [[maybe_unu
 constexpr size_t kContactsAhead = 12;
 
 // Inlined whatever the compiler thinks: to gcc 12 a call that only fetches has no effect, and is left out.
-template <EffectSet E, int D, class Real>
+template <int D, class Real>
 [[gnu::always_inline]] inline void fetch_ahead(const Bodies<D, Real> &bodies, const hg_pair *pairs,
                                                const ContactBatch<Real> &batch, size_t p) {
 #ifdef __GNUC__
@@ -42,10 +42,6 @@ template <EffectSet E, int D, class Real>
   const auto a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
   __builtin_prefetch(&bodies.moves[a], 1);
   __builtin_prefetch(&bodies.moves[b], 1);
-  if constexpr (has(E, kFriction)) {
-    __builtin_prefetch(&bodies.turns[a], 1);
-    __builtin_prefetch(&bodies.turns[b], 1);
-  }
 #endif
 }
 

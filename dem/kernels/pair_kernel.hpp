@@ -21,7 +21,7 @@ struct SmoothContacts {
   void add_forces(const ContactBatch<Real> &batch) const {
     Bodies<D, Real> &bodies = *task.bodies;
     for (size_t p = 0; p < batch.count; p++) {
-      fetch_ahead<E>(bodies, run.pairs, batch, p);
+      fetch_ahead(bodies, run.pairs, batch, p);
       const hg_pair &pair = run.pairs[batch.place[p]];
       const auto a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
       const ContactLaw<Real> &law = pair_law<E>(task, a, b);

@@ -7,26 +7,11 @@
 #include "dem/kernels/contact_kernel.hpp"
 #include "dem/kernels/wall_contact.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 
 namespace dem {
 namespace {
-
-// Moves an entry of what was remembered to another place of the list, and where that belongs.
-template <int D>
-void rename_place(Remembered<D, double> &before, size_t entry, uint32_t place) {
-  const auto swap_entries = [&](size_t a, size_t b) {
-    std::swap(before.places[a], before.places[b]);
-    for (auto &rows : before.rows) {
-      if (!rows.empty()) std::swap(rows[a], rows[b]);
-    }
-  };
-  before.places[entry] = place;
-  for (; entry > 0 && before.places[entry - 1] > place; entry--) swap_entries(entry, entry - 1);
-  for (; entry + 1 < before.places.size() && before.places[entry + 1] < place; entry++) swap_entries(entry, entry + 1);
-}
 
 // Where a particle goes on from one triangle of a mesh to the next, what the contact remembers goes along: it is taken
 // from a triangle that is still touched but has ceased to count.
@@ -35,19 +20,14 @@ void follow_over_edges(const Surfaces<D> &surfaces, const std::vector<SurfaceTou
                        History<D, double> &history) {
   const PairView list = surfaces.pairs();
   const auto wall_of = [&](size_t place) { return surfaces.surfaces()[static_cast<size_t>(list[place].b)].wall; };
-  Remembered<D, double> &before = history.before;
-  const auto entry_of = [&](size_t place) {
-    const auto from = before.places.begin() + static_cast<std::ptrdiff_t>(history.next);
-    const auto found = std::lower_bound(from, before.places.end(), place);
-    return found != before.places.end() && *found == place ? static_cast<size_t>(found - before.places.begin())
-                                                           : before.places.size();
-  };
+  const auto was_there = [&](size_t place) { return history.was_there(history.row(kFriction, place)); };
   for (const SurfaceTouch<D> &now : touches) {
-    if (!now.counts || entry_of(now.place) < before.places.size()) continue;
+    if (!now.counts || was_there(now.place)) continue;
     for (const SurfaceTouch<D> &former : touches) {
-      const size_t entry = former.counts ? before.places.size() : entry_of(former.place);
-      if (entry == before.places.size() || wall_of(former.place) != wall_of(now.place)) continue;
-      rename_place(before, entry, static_cast<uint32_t>(now.place));
+      if (former.counts || !was_there(former.place) || wall_of(former.place) != wall_of(now.place)) continue;
+      for (auto &rows : history.rows) {
+        if (!rows.empty()) std::swap(rows[now.place - history.first], rows[former.place - history.first]);
+      }
       break;
     }
   }

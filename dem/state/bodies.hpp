@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The libhgrid developers
 // SPDX-License-Identifier: BSD-3-Clause
-// The state of all particles. What belongs together in the loops stands together: rows of four numbers, a vector and
-// one number beside it; what forces act on and the forces share a line of the cache. Arrays of effects that are off
-// stay empty.
+// The state of all particles, in rows; what forces act on and the forces share a line of the cache. Arrays of effects
+// that are off stay empty.
 #pragma once
 
 #include "dem/base/large_array.hpp"
+#include "dem/base/row.hpp"
 #include "dem/base/vector.hpp"
 #include "dem/effects/effects.hpp"
 
@@ -14,27 +14,6 @@
 #include <vector>
 
 namespace dem {
-
-// A vector and a number; in two dimensions the third number is 0.
-template <class Real>
-struct alignas(4 * sizeof(Real)) Row {
-  typedef Real Four __attribute__((vector_size(4 * sizeof(Real)), may_alias));  // NOLINT: no `using` for attributes
-
-  Real numbers[4];
-
-  // All of them.
-  Four &four() { return *reinterpret_cast<Four *>(numbers); }
-
-  // The first numbers.
-  template <int width>
-  Eigen::Map<Vec<width, Real>> vector() {
-    return Eigen::Map<Vec<width, Real>>(numbers);
-  }
-  template <int width>
-  Eigen::Map<const Vec<width, Real>> vector() const {
-    return Eigen::Map<const Vec<width, Real>>(numbers);
-  }
-};
 
 // A velocity and what changes it.
 template <class Real>

@@ -57,15 +57,14 @@ class ContactHistory {
     unpacked_ = false;
     if (effects_ == 0) return;
     packed_.pairs = memory.pairs;
-    for (const EffectRow &row : kEffects) {
-      if (row.history == nullptr || !has(effects_, row.effect)) continue;
-      const std::vector<double> &known = memory.rows[history_of(row.effect)];
-      auto &rows = packed_.rows[history_of(row.effect)];
+    for_rows([&](size_t row) {
+      const std::vector<double> &known = memory.rows[row];
+      auto &rows = packed_.rows[row];
       rows.assign(packed_.pairs.size(), Vec<D, Real>::Zero());
       for (size_t p = 0; p < rows.size() && !known.empty(); p++) {
         rows[p] = vector_at<Vec<D, double>>(known, p).template cast<Real>();
       }
-    }
+    });
   }
 
   ContactMemory memory_of(PairView list) const {
@@ -89,12 +88,8 @@ class ContactHistory {
   // Old contacts keep their rows, new ones start with none. The parts that have no sources are in order, and the list
   // is all of them.
   void unpack(PairView list, const std::vector<ListPart> &parts) {
-    parts_.resize(parts.size());
-    for (History<D, Real> &part : parts_) {
-      part.before.clear();
-      part.now.clear();
-    }
     unpacked_ = true;
+    parts_.resize(parts.size());
     whole_.clear();
     for (const ListPart &part : parts) whole_.push_back(part.sources == nullptr);
     if (effects_ == 0) return;
@@ -102,15 +97,19 @@ class ContactHistory {
     history.restore(packed_.pairs.size(), packed_.pairs.data());
     const hgrid::View<int64_t> former = history.update(list.size(), list.data());
     for (size_t k = 0; k < parts.size(); k++) {
-      Remembered<D, Real> &now = parts_[k].now;
-      for (size_t p = parts[k].first; p < parts[k].last; p++) {
-        const int64_t place = former[parts[k].sources != nullptr ? parts[k].sources[p] : p];
-        if (place < 0) continue;
-        now.places.push_back(static_cast<uint32_t>(p));
-        for (size_t row = 0; row < kHistoryCount; row++) {
-          if (!packed_.rows[row].empty()) now.rows[row].push_back(packed_.rows[row][static_cast<size_t>(place)]);
+      const ListPart &part = parts[k];
+      parts_[k].first = part.first;
+      parts_[k].pass = 0;
+      for_rows([&](size_t row) {
+        auto &rows = parts_[k].rows[row];
+        rows.assign(part.last - part.first, {{0, 0, 0, -1}});
+        for (size_t p = part.first; p < part.last; p++) {
+          const int64_t place = former[part.sources != nullptr ? part.sources[p] : p];
+          if (place < 0) continue;
+          rows[p - part.first] = {};
+          rows[p - part.first].template vector<D>() = packed_.rows[row][static_cast<size_t>(place)];
         }
-      }
+      });
     }
   }
 
@@ -129,10 +128,7 @@ class ContactHistory {
   size_t bytes() const {
     size_t bytes = 0;
     for (const History<D, Real> &part : parts_) {
-      for (const Remembered<D, Real> *list : {&part.before, &part.now}) {
-        bytes += sizeof(uint32_t) * list->places.capacity();
-        for (const auto &rows : list->rows) bytes += sizeof(Vec<D, Real>) * rows.capacity();
-      }
+      for (const auto &rows : part.rows) bytes += sizeof(Row<Real>) * rows.capacity();
     }
     return bytes;
   }
@@ -161,26 +157,32 @@ class ContactHistory {
  private:
   void add_all(PairView list, ContactRows<D, Real> &result) const {
     for (size_t k = 0; k < parts_.size(); k++) {
-      if (whole_[k]) add_contacts(list, parts_[k].now, result);
+      if (whole_[k]) add_contacts(list, parts_[k], result);
     }
   }
 
-  static void add_contacts(PairView list, const Remembered<D, Real> &contacts, ContactRows<D, Real> &result) {
-    for (size_t p = 0; p < contacts.places.size(); p++) {
-      if (is_blank(contacts, p)) continue;
-      result.pairs.push_back(list[contacts.places[p]]);
-      for (size_t k = 0; k < kHistoryCount; k++) {
-        if (!contacts.rows[k].empty()) result.rows[k].push_back(contacts.rows[k][p]);
-      }
+  void add_contacts(PairView list, const History<D, Real> &part, ContactRows<D, Real> &result) const {
+    for (size_t p = 0; p < part.rows[history_of(kFriction)].size(); p++) {
+      if (is_blank(part, p)) continue;
+      result.pairs.push_back(list[part.first + p]);
+      for_rows([&](size_t row) { result.rows[row].push_back(part.rows[row][p].template vector<D>()); });
     }
   }
 
-  static bool is_blank(const Remembered<D, Real> &contacts, size_t p) {
+  static bool is_blank(const History<D, Real> &part, size_t p) {
     bool blank = true;
-    for (const auto &rows : contacts.rows) {
-      for (int k = 0; k < D && !rows.empty(); k++) blank = blank && rows[p][k] == 0 && !std::signbit(rows[p][k]);
+    for (const auto &rows : part.rows) {
+      if (rows.empty() || rows[p].numbers[3] != part.pass) continue;
+      for (int k = 0; k < D; k++) blank = blank && rows[p].numbers[k] == 0 && !std::signbit(rows[p].numbers[k]);
     }
     return blank;
+  }
+
+  template <class Visit>
+  void for_rows(Visit visit) const {
+    for (const EffectRow &row : kEffects) {
+      if (has(effects_, row.effect)) visit(history_of(row.effect));
+    }
   }
 
   // Checkpoints have no rows, under its name, of an effect that is off where what it needs is on.
