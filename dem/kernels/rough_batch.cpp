@@ -37,7 +37,10 @@ struct Gather {
       const size_t p = task.first + k, place = contacts.place[p];
       // First particles of a list follow one another in memory; second ones do not, and are asked for in time.
       constexpr size_t kAhead = 12;
-      const hg_pair &later = task.pairs[contacts.place[k + kAhead < task.count ? p + kAhead : p]];
+      const size_t later_place = contacts.place[k + kAhead < task.count ? p + kAhead : p];
+      const hg_pair &later = task.pairs[later_place];
+      __builtin_prefetch(&slips[later_place], 1);
+      if constexpr (rolling) __builtin_prefetch(&rolls[later_place], 1);
       __builtin_prefetch(&moves[later.b], 1);
       __builtin_prefetch(&turns[later.b], 1);
       const auto a = static_cast<size_t>(task.pairs[place].a), b = static_cast<size_t>(task.pairs[place].b);
@@ -147,11 +150,11 @@ template <class Part, int D, class Real>
 
 #ifdef DEM_HAS_VECTORS
 template <class Part, int D, class Real>
-DEM_AVX2 [[gnu::flatten]] void by_four(const RoughTask<D, Real> &task, RoughBatch<Real> &batch) {
+[[gnu::flatten]] DEM_AVX2 void by_four(const RoughTask<D, Real> &task, RoughBatch<Real> &batch) {
   Part::run(task, batch);
 }
 template <class Part, int D, class Real>
-DEM_AVX512 [[gnu::flatten]] void by_eight(const RoughTask<D, Real> &task, RoughBatch<Real> &batch) {
+[[gnu::flatten]] DEM_AVX512 void by_eight(const RoughTask<D, Real> &task, RoughBatch<Real> &batch) {
   Part::run(task, batch);
 }
 #endif
