@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: The libhgrid developers
 # SPDX-License-Identifier: BSD-3-Clause
 # Whole steps per second of the paper's systems beside LAMMPS: programs/bench/figures/steps.sh [BUILD [WORK [OUTPUT]]].
-# OUTPUT is the folder of steps.csv. About five minutes, with the packings.
+# OUTPUT is the folder of steps.csv. About eight minutes, with the packings.
 set -euo pipefail
 # shellcheck disable=SC2034  # systems.sh uses them
 build=${1:-build} work=${2:-figures-work} output=${3:-$work}
@@ -19,6 +19,6 @@ for ((k = 0; k < ${#systems[@]}; ++k)); do
   read -r law ratio <<<"${systems[k]}"
   scene=$(settle_steps=0 settled "$law" "$ratio" 125001)
   csvs+=("$work/steps-$law.csv")
-  measure $((k + 1)) ${#systems[@]} "${csvs[k]}" "$scene" --steps 100 --repeats 5 --turn-seconds 3 --first-steps 5
+  measure $((k + 1)) ${#systems[@]} "${csvs[k]}" "$scene" --steps 400 --repeats 5 --turn-seconds 6 --first-steps 5
 done
 join "$output/steps.csv" "${csvs[@]}"
