@@ -31,7 +31,7 @@ FAULTS = [
     ("src/grid.cpp", f"// docs/{NOWHERE}", f"names docs/{NOWHERE}"),
     (API, "`src/nowhere.cpp`", "names src/nowhere.cpp"),
     (API, "    python3 tests/{sanitizers,nowhere}.sh", "names tests/nowhere.sh"),
-    (API, "`Grid`, `nothing` in `src/grid.cpp`", "says that nothing stands in src/grid.cpp"),
+    (API, "`Grid`, `no_class` in `src/grid.cpp`", "says that no_class stands in src/grid.cpp"),
     (API, "`src/grid.cpp`: `no_name`", "says that no_name stands in src/grid.cpp"),
     (API, "| in the code | file |\n|---|---|\n| `no_call()` | `src/grid.cpp` |", "says that no_call stands in"),
     ("docs/guide/images/new.svg", "<svg/>", "docs/guide/images/new.svg is shown by no page"),
