@@ -26,6 +26,14 @@ struct ContactBatch {
   Real image_speed[kMost + kWidest];  // along x, that b has besides its own with this image (shear)
 };
 
+// First particles of a list follow one another in memory; second ones do not, and are asked for in time. The place of
+// the pair to ask for at contact p of those before `end`.
+template <class Real>
+[[gnu::always_inline]] inline size_t place_ahead(const ContactBatch<Real> &batch, size_t p, size_t end) {
+  constexpr size_t kContactsAhead = 12;
+  return batch.place[p + kContactsAhead < end ? p + kContactsAhead : p];
+}
+
 template <int D, class Real>
 struct BatchTask {
   const Row<Real> *places;

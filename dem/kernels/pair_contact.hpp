@@ -30,15 +30,12 @@ inline Vec<D, Real> relative_velocity(const Bodies<D, Real> &bodies, [[maybe_unu
   return velocity;
 }
 
-// First particles of a list follow one another in memory; second ones do not, and are asked for in time.
-constexpr size_t kContactsAhead = 12;
-
 // Inlined whatever the compiler thinks: to gcc 12 a call that only fetches has no effect, and is left out.
 template <int D, class Real>
 [[gnu::always_inline]] inline void fetch_ahead(const Bodies<D, Real> &bodies, const hg_pair *pairs,
                                                const ContactBatch<Real> &batch, size_t p) {
 #ifdef __GNUC__
-  const hg_pair &pair = pairs[batch.place[p + kContactsAhead < batch.count ? p + kContactsAhead : p]];
+  const hg_pair &pair = pairs[place_ahead(batch, p, batch.count)];
   const auto a = static_cast<size_t>(pair.a), b = static_cast<size_t>(pair.b);
   __builtin_prefetch(&bodies.moves[a], 1);
   __builtin_prefetch(&bodies.moves[b], 1);

@@ -35,9 +35,7 @@ struct Gather {
     [[maybe_unused]] const Row<Real> *rolls = remembered<kRolling>(task);
     for (size_t k = 0; k < task.count; k++) {
       const size_t p = task.first + k, place = contacts.place[p];
-      // First particles of a list follow one another in memory; second ones do not, and are asked for in time.
-      constexpr size_t kAhead = 12;
-      const size_t later_place = contacts.place[k + kAhead < task.count ? p + kAhead : p];
+      const size_t later_place = place_ahead(contacts, p, task.first + task.count);
       const hg_pair &later = task.pairs[later_place];
       __builtin_prefetch(&slips[later_place], 1);
       if constexpr (rolling) __builtin_prefetch(&rolls[later_place], 1);

@@ -29,11 +29,8 @@ void write_network(const std::string &path, double time, const std::vector<dem::
     ends.push_back(static_cast<int64_t>(ids.size()));
   }
   particles::Output out(path);
-  out << particles::vtk_head("PolyData")
-      << "<PolyData><FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">"
-      << time << "</DataArray></FieldData><Piece NumberOfPoints=\"" << 2 * lines.size()
-      << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << lines.size()
-      << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\"><CellData Scalars=\"normal force\">";
+  particles::begin_poly_data(out, &time, {2 * lines.size(), 0, lines.size(), 0});
+  out << "<CellData Scalars=\"normal force\">";
   write_numbers(out, "normal force", lines, &dem::ContactLine::normal);
   write_numbers(out, "tangential force", lines, &dem::ContactLine::tangential);
   write_numbers(out, "overlap", lines, &dem::ContactLine::overlap);

@@ -40,14 +40,8 @@ void write_vertices(Output &out, size_t count) {
 }  // namespace
 
 void write_vtp(Output &out, const ParticleSet &particles) {
-  out << vtk_head("PolyData") << "<PolyData>";
-  if (particles.moment) {
-    out << "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">"
-        << particles.moment->time << "</DataArray></FieldData>";
-  }
   const size_t count = particles.count();
-  out << "<Piece NumberOfPoints=\"" << count << "\" NumberOfVerts=\"" << count
-      << "\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">";
+  begin_poly_data(out, particles.moment ? &particles.moment->time : nullptr, {count, count, 0, 0});
   write_columns(out, particles);
   out << "<Points>";
   write_vtk_array(out, "centers", 3, in_three_dimensions(particles.centers, particles.dimension));

@@ -118,11 +118,8 @@ class WallReader {
 void write_walls(const std::string &path, double time, const WallShapes &walls) {
   const size_t on_lines = point_count(walls.lines), on_faces = point_count(walls.faces);
   Output out(path);
-  out << vtk_head("PolyData")
-      << "<PolyData><FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">"
-      << time << "</DataArray></FieldData><Piece NumberOfPoints=\"" << on_lines + on_faces
-      << "\" NumberOfVerts=\"0\" NumberOfLines=\"" << walls.lines.size() << "\" NumberOfStrips=\"0\" NumberOfPolys=\""
-      << walls.faces.size() << "\"><CellData Scalars=\"wall\">";
+  begin_poly_data(out, &time, {on_lines + on_faces, 0, walls.lines.size(), walls.faces.size()});
+  out << "<CellData Scalars=\"wall\">";
   write_array<int64_t>(out, "Int64", "wall", 1, walls, [](const WallPart &part, auto write) { write(part.wall); });
   write_array<int64_t>(out, "Int64", "kind", 1, walls,
                        [](const WallPart &part, auto write) { write(static_cast<int64_t>(part.kind)); });
